@@ -8,6 +8,7 @@
 #include <string>
 
 #include "cases/program/errors.h"
+#include "cases/program/text.h"
 #include "reduce/model/dense_eigen.h"
 
 namespace tiprub::reduce {
@@ -136,13 +137,13 @@ CyclicModes lowest_modes(const CyclicSolver& stiffness, const SymmetricMatrix& m
     residual = residual.cwiseQuotient(theta);
     if (!more || (wanted == count && residual.maxCoeff() < tolerance)) {
       if (wanted < count)
-        throw RunError(
-            "a nodal diameter has only " + std::to_string(wanted) + " modes, " + std::to_string(count) +
-            " are asked for; lower fixed_interface_modes or verification_modes, raise accuracy, or refine the mesh");
+        throw RunError(text_of(
+            "a nodal diameter has only ", wanted, " modes, ", count,
+            " are asked for; lower fixed_interface_modes or verification_modes, raise accuracy, or refine the mesh"));
       return {theta.cwiseInverse(), space.combine(weights), residual};
     }
     if (size > static_cast<Eigen::Index>(longest) * std::max(count, static_cast<int>(block_size)))
-      throw RunError("the modes of a nodal diameter did not converge in " + std::to_string(size) + " Krylov vectors");
+      throw RunError(text_of("the modes of a nodal diameter did not converge in ", size, " Krylov vectors"));
   }
 }
 

@@ -22,11 +22,9 @@ struct CyclicModes {
 /// these are the fixed-interface modes, Psi_co of eq. 8. The vectors of a block share the cost of a pass through
 /// the factor. `tolerance` bounds the residual of each mode. Raises RunError if it doesn't converge.
 ///
-/// Trilinos' Anasazi isn't used because its Epetra adapter is real: it works on the doubled problem, with vectors
-/// of twice the length, and has to find each eigenvalue twice.
-/// `anasazi_test --gtest_also_run_disabled_tests --gtest_filter=*Side*` times both on the same factor and mass,
-/// for the same modes to the same residual: 3.1 s of processor time against 6.5 s for 40 modes of a travelling
-/// wave with 18,480 dofs a sector.
+/// Trilinos' Anasazi isn't used: its Epetra adapter is real, so that it finds each eigenvalue twice, with vectors of
+/// twice the length. For 40 modes of a travelling wave with 18,480 dofs a sector it takes 6.5 s of processor time
+/// against 3.1 s (`anasazi_test --gtest_also_run_disabled_tests --gtest_filter=*Side*`).
 CyclicModes lowest_modes(const CyclicSolver& stiffness, const SymmetricMatrix& mass, ContactNodes contact, int count,
                          double tolerance);
 

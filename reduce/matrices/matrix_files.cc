@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "cases/program/errors.h"
+#include "cases/program/text.h"
 
 namespace tiprub::reduce {
 
@@ -33,7 +34,7 @@ class Lines {
     return true;
   }
   [[noreturn]] void refuse(const std::string& message) const {
-    throw InputError(path_.string() + ":" + std::to_string(number_) + ": " + message);
+    throw InputError(text_of(path_.string(), ":", number_, ": ", message));
   }
   /// The numbers of a line, which must be `count`.
   template <std::size_t count>
@@ -125,8 +126,8 @@ void require_symmetric(const Eigen::SparseMatrix<double>& matrix, const std::str
   const Eigen::SparseMatrix<double> difference = matrix - other;
   const double off = difference.nonZeros() > 0 ? difference.coeffs().abs().maxCoeff() : 0;
   if (!(off <= tolerance * largest))
-    throw InputError(name + ": is not symmetric: entries differ from those across the diagonal by up to " +
-                     std::to_string(off / largest) + " of the largest; K and M of a sector are symmetric");
+    throw InputError(text_of(name, ": is not symmetric: entries differ from those across the diagonal by up to ",
+                             std::to_string(off / largest), " of the largest; K and M of a sector are symmetric"));
 }
 
 std::vector<std::string> csv_fields(const std::string& line) {

@@ -26,29 +26,29 @@ Eigen::MatrixXi rows_of(const NodeTable& table, const MatrixFiles& files, Eigen:
   Eigen::MatrixXi rows = Eigen::MatrixXi::Constant(directions, nodes, -1);
   if (files.dofs.empty()) {
     if (size != directions * nodes)
-      throw InputError(files.stiffness.string() + ": has " + std::to_string(size) + " rows; " + files.nodes.string() +
-                       " has " + std::to_string(nodes) + " nodes, which makes " + std::to_string(directions * nodes) +
-                       "; where dofs are left out, say which by --matrix-dofs");
+      throw InputError(text_of(files.stiffness.string(), ": has ", size, " rows; ", files.nodes.string(), " has ",
+                               nodes, " nodes, which makes ", directions * nodes,
+                               "; where dofs are left out, say which by --matrix-dofs"));
     for (int row = 0; row < size; ++row) rows.data()[row] = row;
     return rows;
   }
   std::map<long, Eigen::Index> column;
   for (Eigen::Index k = 0; k < nodes; ++k)
     if (const long number = table.number[static_cast<std::size_t>(k)]; !column.emplace(number, k).second)
-      throw InputError(files.nodes.string() + ": has two nodes of number " + std::to_string(number));
+      throw InputError(text_of(files.nodes.string(), ": has two nodes of number ", number));
   const std::vector<std::pair<long, int>> dofs = read_dof_list(files.dofs);
   if (static_cast<Eigen::Index>(dofs.size()) != size)
-    throw InputError(files.dofs.string() + ": lists " + std::to_string(dofs.size()) + " dofs; " +
-                     files.stiffness.string() + " has " + std::to_string(size) + " rows");
+    throw InputError(text_of(files.dofs.string(), ": lists ", dofs.size(), " dofs; ", files.stiffness.string(),
+                             " has ", size, " rows"));
   for (std::size_t row = 0; row < dofs.size(); ++row) {
     const auto known = column.find(dofs[row].first);
     if (known == column.end())
-      throw InputError(files.dofs.string() + ": names node " + std::to_string(dofs[row].first) + ", which " +
-                       files.nodes.string() + " doesn't have");
+      throw InputError(text_of(files.dofs.string(), ": names node ", dofs[row].first, ", which ",
+                               files.nodes.string(), " doesn't have"));
     int& place = rows(dofs[row].second, known->second);
     if (place >= 0)
-      throw InputError(files.dofs.string() + ": names " + std::to_string(dofs[row].first) + "." +
-                       std::to_string(dofs[row].second + 1) + " twice");
+      throw InputError(
+          text_of(files.dofs.string(), ": names ", dofs[row].first, ".", dofs[row].second + 1, " twice"));
     place = static_cast<int>(row);
   }
   return rows;
@@ -73,8 +73,7 @@ Matrix by_node(const Matrix& matrix, const Eigen::MatrixXi& rows) {
 Matrix read(const std::filesystem::path& path, Eigen::Index size) {
   Matrix matrix = read_symmetric_matrix(path);
   if (size > 0 && matrix.rows() > size)
-    throw InputError(path.string() + ": has " + std::to_string(matrix.rows()) + " rows, K at rest " +
-                     std::to_string(size));
+    throw InputError(text_of(path.string(), ": has ", matrix.rows(), " rows, K at rest ", size));
   if (size > 0) matrix.conservativeResize(size, size);  // a file may leave out rows of zeros at its end
   return matrix;
 }
@@ -146,10 +145,10 @@ void require_places(const Matrix& stiffness, const MatrixFiles& files, const Eig
     std::nth_element(felt.begin(), felt.begin() + static_cast<std::ptrdiff_t>(felt.size() / 2), felt.end());
     if (felt[felt.size() / 2] <= tolerance) continue;
     const std::string what = motion < 3 ? "a translation along " : "a rotation about ";
-    throw InputError(files.stiffness.string() + ": meets " + what + "xyz"[motion % 3] +
-                     " with forces at most nodes, " + std::to_string(felt[felt.size() / 2]) +
-                     " of a diagonal entry: is it K at rest, and are its rows those that " + said_by(files) +
-                     " tell?");
+    throw InputError(text_of(files.stiffness.string(), ": meets ", what, "xyz"[motion % 3],
+                             " with forces at most nodes, ", std::to_string(felt[felt.size() / 2]),
+                             " of a diagonal entry: is it K at rest, and are its rows those that ", said_by(files),
+                             " tell?"));
   }
 }
 
@@ -169,10 +168,10 @@ void require_free(const Matrix& stiffness, const Eigen::MatrixXd& motions, const
     if (held++ == 0) first = node;
   }
   if (held > 0)
-    throw InputError(files.stiffness.string() + ": holds " + std::to_string(held) + " of the " +
-                     std::to_string(mesh.node_count()) + " nodes against translations, the first at " +
-                     mesh.place_of(first) + "; K must be that of the free sector, in the rows that " +
-                     said_by(files) + (files.dofs.empty() ? " says" : " say"));
+    throw InputError(text_of(files.stiffness.string(), ": holds ", held, " of the ", mesh.node_count(),
+                             " nodes against translations, the first at ", mesh.place_of(first),
+                             "; K must be that of the free sector, in the rows that ", said_by(files),
+                             files.dofs.empty() ? " says" : " say"));
 }
 
 /// Sorts the nodes by their places. A node that has none of its dofs in the matrices is clamped.
@@ -180,8 +179,7 @@ void place_nodes(const NodeTable& table, const Eigen::MatrixXi& rows, SectorMesh
   for (int node = 0; node < table.position.cols(); ++node) {
     const int known = static_cast<int>((rows.col(node).array() >= 0).count());
     if (known == 1 || known == 2)
-      throw InputError(mesh.file + ": node " + std::to_string(table.number[node]) +
-                       " is held in some directions only; hold it in all, or in none");
+      refuse(mesh, "node ", table.number[node], " is held in some directions only; hold it in all, or in none");
     const NodePlace place = table.place[static_cast<std::size_t>(node)];
     if (place == NodePlace::clamped || known == 0) mesh.clamped.push_back(node);
     if (place == NodePlace::cyclic_low) mesh.cyclic_low.push_back(node);
@@ -189,13 +187,12 @@ void place_nodes(const NodeTable& table, const Eigen::MatrixXi& rows, SectorMesh
     if (place == NodePlace::contact) mesh.contact_line.push_back(node);
   }
   if (mesh.clamped.empty())
-    throw InputError(
-        mesh.file +
-        ": has no node whose set is clamped, so that nothing holds the wheel; name the nodes that are held, "
-        "for example those of the bore");
-  if (mesh.contact_line.empty()) throw InputError(mesh.file + ": has no node whose set is contact");
+    refuse(mesh,
+           "has no node whose set is clamped, so that nothing holds the wheel; name the nodes that are held, "
+           "for example those of the bore");
+  if (mesh.contact_line.empty()) refuse(mesh, "has no node whose set is contact");
   if (mesh.cyclic_low.empty() != mesh.cyclic_high.empty())
-    throw InputError(mesh.file + ": has nodes on one cut, and none on the other");
+    refuse(mesh, "has nodes on one cut, and none on the other");
 }
 
 }  // namespace

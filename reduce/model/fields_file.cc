@@ -41,22 +41,17 @@ Array<std::int32_t> table(const Eigen::MatrixXi& columns) {
           {columns.data(), columns.data() + columns.size()}};
 }
 
-[[noreturn]] void refuse(const Hdf5File& file, const std::string& name, const std::string& what) {
-  throw FileError(file.path() + ": " + name + " " + what);
-}
-
 std::vector<int> read_list(const Hdf5File& file, const std::string& name, Eigen::Index limit) {
   const Array<std::int32_t> array = file.read_integers(name);
-  if (array.shape.size() != 1) refuse(file, name, "must have one axis");
+  if (array.shape.size() != 1) file.refuse(name, " must have one axis");
   for (const std::int32_t value : array.values)
-    if (value < 0 || value >= limit)
-      refuse(file, name, "names " + std::to_string(value) + ", of 0 .. " + std::to_string(limit - 1));
+    if (value < 0 || value >= limit) file.refuse(name, " names ", value, ", of 0 .. ", limit - 1);
   return {array.values.begin(), array.values.end()};
 }
 
 Eigen::Matrix3Xd read_vectors(const Hdf5File& file, const std::string& name) {
   const Eigen::MatrixXd rows = file.read_matrix(name);
-  if (rows.cols() != 3) refuse(file, name, "must have three columns");
+  if (rows.cols() != 3) file.refuse(name, " must have three columns");
   return rows.transpose();
 }
 
@@ -64,17 +59,15 @@ Eigen::MatrixXi read_cells(const Hdf5File& file, Eigen::Index nodes) {
   const std::string name = "/cells";
   const Array<std::int32_t> array = file.read_integers(name);
   if (array.shape.size() != 2 || array.shape[1] > 27 || !is_cell_kind(static_cast<int>(array.shape[1])))
-    refuse(file, name, "must have " + cell_node_counts() + " columns");
+    file.refuse(name, " must have ", cell_node_counts(), " columns");
   Eigen::MatrixXi cells = Eigen::Map<const Eigen::MatrixXi>(
       array.values.data(), static_cast<Eigen::Index>(array.shape[1]), static_cast<Eigen::Index>(array.shape[0]));
   for (Eigen::Index cell = 0; cell < cells.cols(); ++cell) {
     const auto listed = nodes_of(cells, cell);
     if (!is_cell_kind(static_cast<int>(listed.size())))
-      refuse(file, name,
-             "has a cell of " + std::to_string(listed.size()) + " nodes; it must have " + cell_node_counts());
+      file.refuse(name, " has a cell of ", listed.size(), " nodes; it must have ", cell_node_counts());
     for (const int node : listed)
-      if (node < 0 || node >= nodes)
-        refuse(file, name, "names node " + std::to_string(node) + ", of 0 .. " + std::to_string(nodes - 1));
+      if (node < 0 || node >= nodes) file.refuse(name, " names node ", node, ", of 0 .. ", nodes - 1);
   }
   return cells;
 }
@@ -84,40 +77,39 @@ void read_static_displacement(const Hdf5File& file, SectorFields& sector) {
   for (int k = 1; k <= 2 || file.exists(displacement_name(k)); ++k) {
     terms.push_back(read_vectors(file, displacement_name(k)));
     if (terms.back().cols() != sector.nodes.cols())
-      refuse(file, displacement_name(k), "must have a row for each node");
+      file.refuse(displacement_name(k), " must have a row for each node");
   }
   if (file.members("/static").size() != terms.size())
-    refuse(file, "/static", "must hold displacement_1, _2, and _3, _4, ... without a gap, and nothing else");
+    file.refuse("/static must hold displacement_1, _2, and _3, _4, ... without a gap, and nothing else");
 }
 
 /// Stresses at the cuts are means over both sides, so that wrong partners would spoil them.
 void check_cuts(const Hdf5File& file, const SectorFields& sector) {
   const std::vector<int>&low = sector.node_set("cyclic_low"), &high = sector.node_set("cyclic_high");
-  if (low.size() != high.size()) refuse(file, "/node_set/cyclic_high", "must pair with cyclic_low");
+  if (low.size() != high.size()) file.refuse("/node_set/cyclic_high must pair with cyclic_low");
   if (low.empty() || sector.sector_count < 2) return;
   const double reach = widest_mismatch * sector.nodes.topRows<2>().colwise().norm().maxCoeff();
   const Eigen::AngleAxisd turn(2 * std::numbers::pi / sector.sector_count, Eigen::Vector3d::UnitZ());
   for (std::size_t k = 0; k < low.size(); ++k)
     if ((turn * sector.nodes.col(low[k]) - sector.nodes.col(high[k])).norm() > reach)
-      refuse(file, "/node_set/cyclic_high",
-             "lists node " + std::to_string(high[k]) + " at place " + std::to_string(k) +
-                 ", which is not where node " + std::to_string(low[k]) + " of cyclic_low comes after a turn by 360/" +
-                 std::to_string(sector.sector_count) + " degrees; both list partners in the same order");
+      file.refuse("/node_set/cyclic_high lists node ", high[k], " at place ", k, ", which is not where node ", low[k],
+                  " of cyclic_low comes after a turn by 360/", sector.sector_count,
+                  " degrees; both list partners in the same order");
 }
 
 /// Each node or cell is listed once; only `contact` may repeat nodes, those nearest to the centres of segments.
 void check_groups(const Hdf5File& file, const SectorFields& sector) {
   for (const auto& [name, nodes] : sector.node_sets)
     if (const int node = listed_twice(nodes); name != "contact" && node >= 0)
-      refuse(file, "/node_set/" + name, "lists node " + std::to_string(node) + " twice");
+      file.refuse("/node_set/", name, " lists node ", node, " twice");
   if (const auto [first, second] = equal_cells(listed_cells(sector.cells)); first >= 0)
-    refuse(file, "/cells", "lists cell " + std::to_string(first) + " (from 0) again as " + std::to_string(second));
+    file.refuse("/cells lists cell ", first, " (from 0) again as ", second);
   check_cuts(file, sector);
   NamedLists tips;
   if (const auto line = sector.node_sets.find("contact_line"); line != sector.node_sets.end())
     tips["main_blade"] = line->second;
   if (const std::string wrong = wrong_parts(sector.cells, sector.parts, tips); !wrong.empty())
-    refuse(file, "/part:", wrong);
+    file.refuse("/part: ", wrong);
 }
 
 SectorFields read_sector(const Hdf5File& file) {
@@ -127,13 +119,13 @@ SectorFields read_sector(const Hdf5File& file) {
   sector.young = file.number_attribute("/", "young_modulus");
   sector.poisson = file.number_attribute("/", "poisson_ratio");
   sector.density = file.number_attribute("/", "density");
-  if (!(sector.young > 0 && sector.density > 0)) refuse(file, "/", "young_modulus and density must be above 0");
+  if (!(sector.young > 0 && sector.density > 0)) file.refuse("/ young_modulus and density must be above 0");
   if (!(sector.poisson > -1 && sector.poisson < 0.5))
-    refuse(file, "/", "poisson_ratio must be above -1 and below 0.5, where a material is incompressible");
+    file.refuse("/ poisson_ratio must be above -1 and below 0.5, where a material is incompressible");
   sector.nodes = read_vectors(file, "/nodes");
   sector.cells = read_cells(file, sector.nodes.cols());
   for (const char* name : required_sets)
-    if (!file.exists(std::string("/node_set/") + name)) refuse(file, std::string("/node_set/") + name, "is missing");
+    if (!file.exists(std::string("/node_set/") + name)) file.refuse("/node_set/", name, " is missing");
   for (const std::string& name : file.members("/node_set"))
     sector.node_sets[name] = read_list(file, "/node_set/" + name, sector.nodes.cols());
   if (file.exists("/part"))
@@ -146,7 +138,7 @@ SectorFields read_sector(const Hdf5File& file) {
 Eigen::VectorXd read_cell_errors(const Hdf5File& file, const std::string& of, Eigen::Index cells) {
   const std::string name = cell_errors_group + of;
   Eigen::VectorXd errors = file.read_vector(name);
-  if (errors.size() != cells) refuse(file, name, "must have a number for each cell");
+  if (errors.size() != cells) file.refuse(name, " must have a number for each cell");
   return errors;
 }
 
@@ -242,7 +234,7 @@ Eigen::Index FieldsReader::dofs(int nodal_diameter) const {
   const std::string name = basis_of(nodal_diameter);
   const std::vector<std::size_t> shape = file_.shape_of(name);
   if (shape.size() != 3 || shape[1] != static_cast<std::size_t>(sector_.nodes.cols()) || shape[2] != 3)
-    refuse(file_, name, "must have the axes model dof, node, component");
+    file_.refuse(name, " must have the axes model dof, node, component");
   return static_cast<Eigen::Index>(shape[0]);
 }
 
@@ -283,9 +275,8 @@ void add_shapes(const Eigen::Ref<const Eigen::MatrixXcf>& shapes, const Eigen::M
 Eigen::MatrixXcd FieldsReader::expand(int nodal_diameter, const Eigen::MatrixXcd& amplitudes) const {
   const std::string name = basis_of(nodal_diameter);
   if (amplitudes.rows() != dofs(nodal_diameter))
-    refuse(file_, name,
-           "has " + std::to_string(dofs(nodal_diameter)) + " dofs, the model has " +
-               std::to_string(amplitudes.rows()) + "; give the fields that were written with the model");
+    file_.refuse(name, " has ", dofs(nodal_diameter), " dofs, the model has ", amplitudes.rows(),
+                 "; give the fields that were written with the model");
   // Real and imaginary parts beside each other: Eigen multiplies real numbers faster than complex ones.
   const Eigen::Index size = 3 * sector_.nodes.cols(), columns = amplitudes.cols();
   Eigen::MatrixXd fields = Eigen::MatrixXd::Zero(size, 2 * columns);

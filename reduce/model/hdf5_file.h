@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cases/program/errors.h"
+#include "cases/program/text.h"
 
 namespace tiprub {
 
@@ -106,6 +107,11 @@ class Hdf5File {
   void require_schema(const std::string& schema, int version) const;
 
   const std::string& path() const { return path_; }
+  /// Raises FileError: the path, and the parts of a message one after another.
+  template <class... Parts>
+  [[noreturn]] void refuse(const Parts&... message) const {
+    throw FileError(text_of(path_, ": ", message...));
+  }
 
  private:
   struct Handle;

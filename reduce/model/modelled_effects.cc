@@ -60,8 +60,7 @@ const std::string effects_group = "/effects";
 const EffectMeaning& meaning_named(const Hdf5File& file, const std::string& name) {
   const auto* const meaning =
       std::find_if(std::begin(meanings), std::end(meanings), [&](const EffectMeaning& m) { return name == m.name; });
-  if (meaning == std::end(meanings))
-    throw FileError(file.path() + ": " + effects_group + "/" + name + " is not known");
+  if (meaning == std::end(meanings)) file.refuse(effects_group, "/", name, " is not known");
   return *meaning;
 }
 
@@ -69,7 +68,7 @@ const EffectMeaning& meaning_named(const Hdf5File& file, const std::string& name
 std::optional<double> read_size(const Hdf5File& file, const std::string& group, const std::string& attribute) {
   if (!file.has_attribute(group, attribute)) return {};
   const double size = file.number_attribute(group, attribute);
-  if (!(size >= 0)) throw FileError(file.path() + ": " + group + ": attribute " + attribute + " must be at least 0");
+  if (!(size >= 0)) file.refuse(group, ": attribute ", attribute, " must be at least 0");
   return size;
 }
 
@@ -112,8 +111,8 @@ std::vector<ModelledEffect> read_effects(const Hdf5File& file) {
     effects.push_back({meaning.effect, treatment, file.text_attribute(group, "reason"),
                        read_size(file, group, "size"), read_size(file, group, "tolerance")});
     if (file.has_attribute(group, "unit") && file.text_attribute(group, "unit") != meaning.unit)
-      throw FileError(file.path() + ": " + group + ": attribute unit is \"" + file.text_attribute(group, "unit") +
-                      "\", must be \"" + meaning.unit + "\"");
+      file.refuse(group, ": attribute unit is \"", file.text_attribute(group, "unit"), "\", must be \"", meaning.unit,
+                  "\"");
   }
   std::sort(effects.begin(), effects.end(),
             [](const ModelledEffect& a, const ModelledEffect& b) { return a.effect < b.effect; });

@@ -46,14 +46,13 @@ std::string shift_name(int power) {
 void require_unit(const Hdf5File& file, const std::string& name, const std::string& unit) {
   if (!file.has_attribute(name, "unit")) return;
   if (const std::string found = file.text_attribute(name, "unit"); found != unit)
-    throw FileError(file.path() + ": " + name + " has the unit \"" + found + "\", must be \"" + unit +
-                    "\" (SI), or no attribute `unit`");
+    file.refuse(name, " has the unit \"", found, "\", must be \"", unit, "\" (SI), or no attribute `unit`");
 }
 
 Eigen::MatrixX3d read_triples(const Hdf5File& file, const std::string& name, const std::string& unit) {
   require_unit(file, name, unit);
   const Eigen::MatrixXd table = file.read_matrix(name);
-  if (table.cols() != 3) throw FileError(file.path() + ": " + name + " must have three columns: r, theta, z");
+  if (table.cols() != 3) file.refuse(name, " must have three columns: r, theta, z");
   return table;
 }
 
@@ -68,8 +67,7 @@ void read_static_shift(const Hdf5File& file, ContactLine& contact) {
   }
   for (const std::string& member : file.members("/contact"))
     if (const std::string name = "/contact/" + member; name.starts_with(shift_stem) && !known.contains(name))
-      throw FileError(file.path() + ": " + name +
-                      " is not known; the static shift is static_shift_1, _2, and _3, _4, ... without a gap");
+      file.refuse(name, " is not known; the static shift is static_shift_1, _2, and _3, _4, ... without a gap");
 }
 
 Eigen::MatrixXcd read_matrix(const Hdf5File& file, const std::string& name, const std::string& unit) {
@@ -84,8 +82,8 @@ void require_known_members(const Hdf5File& file, const std::string& group) {
   for (int k = 3; file.exists(group + "/K" + std::to_string(k)); ++k) known.insert("K" + std::to_string(k));
   for (const std::string& name : file.members(group))
     if (!known.contains(name))
-      throw FileError(file.path() + ": " + group + "/" + name +
-                      " is not known; a nodal diameter holds M, K0, K1, K2, and K3, K4, ... without a gap");
+      file.refuse(group, "/", name,
+                  " is not known; a nodal diameter holds M, K0, K1, K2, and K3, K4, ... without a gap");
 }
 
 NodalDiameterModel read_nodal_diameter(const Hdf5File& file, const std::string& group) {
@@ -104,7 +102,7 @@ ContactKind read_contact_kind(const Hdf5File& file) {
   const std::string name = file.text_attribute("/", "contact");
   if (name == points) return ContactKind::points;
   if (name == segments) return ContactKind::segments;
-  throw FileError(file.path() + ": attribute `contact` is \"" + name + "\", must be \"points\" or \"segments\"");
+  file.refuse("attribute `contact` is \"", name, "\", must be \"points\" or \"segments\"");
 }
 
 /// A model made by hand may leave both out. Older files name the softening in the text of the prestress.
@@ -120,7 +118,7 @@ void read_stiffness_under_spin(const Hdf5File& file, ReducedModel& model) {
     model.prestress = prestress_named(prestress, file.path() + ": attribute prestress");
   }
   if (softening != "on" && softening != "off")
-    throw FileError(file.path() + ": attribute spin_softening is \"" + softening + "\", must be \"on\" or \"off\"");
+    file.refuse("attribute spin_softening is \"", softening, "\", must be \"on\" or \"off\"");
   model.spin_softening = softening == "on" ? SpinSoftening::on : SpinSoftening::off;
 }
 
@@ -131,15 +129,15 @@ int read_splitter_nodes(const Hdf5File& file, int nodes) {
   const bool in_order =
       blade.size() == nodes && on_splitter < nodes && (blade.head(nodes - on_splitter).array() == 0.0).all();
   if (!in_order)
-    throw FileError(file.path() + ": " + blade_name + " must hold, for each of the " + std::to_string(nodes) +
-                    " contact nodes, 0 for those of the main blade, which come first, and 1 for the splitter's");
+    file.refuse(blade_name, " must hold, for each of the ", nodes,
+                " contact nodes, 0 for those of the main blade, which come first, and 1 for the splitter's");
   return on_splitter;
 }
 
 /// n_c x p x p
 std::vector<Eigen::MatrixXd> read_displacement(const Hdf5File& file, const std::string& name) {
   const Array<double> array = file.read_array(name);
-  if (array.shape.size() != 3) throw FileError(file.path() + ": " + name + " must have three axes: n_c x p x p");
+  if (array.shape.size() != 3) file.refuse(name, " must have three axes: n_c x p x p");
   const auto rows = static_cast<Eigen::Index>(array.shape[1]), columns = static_cast<Eigen::Index>(array.shape[2]);
   std::vector<Eigen::MatrixXd> matrices;
   for (std::size_t k = 0; k < array.shape[0]; ++k)
@@ -153,8 +151,7 @@ SecondOrderGap read_second_order(const Hdf5File& file) {
   for (const auto& [name, unit] : {std::pair("/curvature", "1/m"), std::pair("/V", "1"), std::pair("/Q", "1/m")})
     require_unit(file, group + name, unit);
   const Eigen::MatrixXd curvature = file.read_matrix(group + "/curvature");
-  if (curvature.cols() != 2)
-    throw FileError(file.path() + ": " + group + "/curvature must have two columns: around and along the casing");
+  if (curvature.cols() != 2) file.refuse(group, "/curvature must have two columns: around and along the casing");
   return {curvature, file.read_matrix(group + "/V"), read_displacement(file, group + "/Q")};
 }
 
@@ -235,9 +232,9 @@ void require_whole(const Hdf5File& file, const ReducedModel& model) {
     return require_own_frequencies(model, file.path());
   }
   if (file.text_attribute("/", "digest") != digest(model))
-    throw FileError(file.path() +
-                    ": its numbers are not those that were written (attribute `digest`): it was damaged or changed; "
-                    "reduce again, or delete that attribute if the change was meant");
+    file.refuse(
+        "its numbers are not those that were written (attribute `digest`): it was damaged or changed; "
+        "reduce again, or delete that attribute if the change was meant");
 }
 
 void write_matrix(Hdf5File& file, const std::string& name, const Eigen::MatrixXcd& matrix, const std::string& unit) {
@@ -330,7 +327,7 @@ ReducedModel read_model(const std::filesystem::path& path) {
   read_stiffness_under_spin(file, model);
   if (file.has_attribute("/", "mesh_digest")) model.mesh_digest = file.text_attribute("/", "mesh_digest");
   if (file.has_text("/provenance")) model.provenance = file.read_text("/provenance");
-  if (model.sector_count < 1) throw FileError(file.path() + ": sector_count must be at least 1");
+  if (model.sector_count < 1) file.refuse("sector_count must be at least 1");
   model.contact = read_contact_line(file);
   for (int n = 0; n <= model.nodal_diameter_max(); ++n)
     model.nodal_diameters.push_back(read_nodal_diameter(file, group_of(n)));

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/program/text.h"
 #include "reduce/operators/factor_engine.h"
 #include "reduce/operators/supernodal_solve.h"
 
@@ -170,7 +171,7 @@ void require_factor(int status, Eigen::Index dofs) {
     throw RunError("not enough memory to factorize " + sector +
                    "; coarsen the mesh, or take a machine with more memory");
   if (status < CHOLMOD_OK)
-    throw RunError("CHOLMOD could not factorize " + sector + " (its status is " + std::to_string(status) + ")");
+    throw RunError(text_of("CHOLMOD could not factorize ", sector, " (its status is ", status, ")"));
 }
 
 }  // namespace tiprub::reduce

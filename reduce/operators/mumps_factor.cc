@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cases/program/process_group.h"
+#include "cases/program/text.h"
 #include "reduce/operators/factor_engine.h"
 
 namespace tiprub::reduce {
@@ -220,15 +221,14 @@ void require_mumps(int error, int detail, Eigen::Index dofs) {
   constexpr int lacks[] = {-5, -7, -8, -9, -11, -13, -19, -20};
   if (error == singular || error == singular_root) throw unstable_interior();
   if (std::find(std::begin(lacks), std::end(lacks), error) != std::end(lacks))
-    throw RunError("not enough memory to factorize " + sector + " by MUMPS (its error is " + std::to_string(error) +
-                   ", " + std::to_string(detail) + "); coarsen the mesh, or take a machine with more memory");
+    throw RunError(text_of("not enough memory to factorize ", sector, " by MUMPS (its error is ", error, ", ", detail,
+                           "); coarsen the mesh, or take a machine with more memory"));
   if (error == too_many_entries)
     throw RunError(sector + " is too large for the ordering of MUMPS, whatever the memory; coarsen the mesh");
   if (error == no_file)
     throw RunError("MUMPS could not write or read the factor of " + sector +
                    " on disk; is the disk of model.h5 full?");
-  throw RunError("MUMPS could not factorize " + sector + " (its error is " + std::to_string(error) + ", " +
-                 std::to_string(detail) + ")");
+  throw RunError(text_of("MUMPS could not factorize ", sector, " (its error is ", error, ", ", detail, ")"));
 }
 
 std::unique_ptr<FactorEngine> factorize_by_mumps(const SymmetricMatrix& stiffness, const SectorDofs& dofs,

@@ -5,7 +5,6 @@
 #include <map>
 #include <set>
 
-#include "cases/program/errors.h"
 #include "mesh/cells/cell_kind.h"
 
 namespace tiprub::reduce {
@@ -68,7 +67,7 @@ class Neighbours {
 
  private:
   [[noreturn]] void refuse(const std::string& why) const {
-    throw InputError(mesh_.file + ": the cells don't make a mesh: " + why);
+    reduce::refuse(mesh_, "the cells don't make a mesh: ", why);
   }
 
   void note(const Key& corners, int node) {
@@ -97,8 +96,7 @@ void require_upright(const SectorMesh& mesh, int cell, const UprightValues& valu
 }  // namespace
 
 void refuse_inverted(const SectorMesh& mesh, int cell, const Eigen::Vector3d& at) {
-  throw InputError(mesh.file + ": " + mesh.name_of_cell(cell) + " is inverted or flat near " + place_text(at) +
-                   "; re-mesh");
+  refuse(mesh, mesh.name_of_cell(cell), " is inverted or flat near ", place_text(at), "; re-mesh");
 }
 
 void require_sound_cells(const SectorMesh& mesh) {

@@ -6,7 +6,6 @@
 #include <limits>
 #include <string>
 
-#include "cases/program/errors.h"
 #include "reduce/sector/sector_dofs.h"
 
 namespace tiprub::reduce {
@@ -79,25 +78,23 @@ void require_one_way(const SectorMesh& mesh, const std::vector<int>& line, const
   const auto step_to = [&](std::size_t k) -> Eigen::Vector2d {
     return meridional(mesh.nodes.col(line[k])) - meridional(mesh.nodes.col(line[k - 1]));
   };
-  const auto refuse = [&](std::size_t k, const std::string& what) {
-    throw InputError(
-        mesh.file + ": the line \"" + group + "\" " + what + " at its point " + std::to_string(k + 1) + " of " +
-        std::to_string(line.size()) + ", " + mesh.place_of(line[k]) +
-        "; it must run once from leading to trailing edge: put its points, or its curves, in that order");
+  const auto refuse_at = [&](std::size_t k, const std::string& what) {
+    refuse(mesh, "the line \"", group, "\" ", what, " at its point ", k + 1, " of ", line.size(), ", ",
+           mesh.place_of(line[k]),
+           "; it must run once from leading to trailing edge: put its points, or its curves, in that order");
   };
   constexpr double least_step = 1e-9;  // of the radius
   for (std::size_t k = 1; k < line.size(); ++k) {
     if (step_to(k).norm() <= least_step * meridional(mesh.nodes.col(line[k]))[0])
-      refuse(k, "has two points at the same radius and z");
-    if (k > 1 && step_to(k).dot(step_to(k - 1)) <= 0) refuse(k - 1, "turns back");
+      refuse_at(k, "has two points at the same radius and z");
+    if (k > 1 && step_to(k).dot(step_to(k - 1)) <= 0) refuse_at(k - 1, "turns back");
   }
 }
 
 std::vector<int> chosen_nodes(const SectorMesh& mesh, const std::vector<int>& line, const char* group, int count) {
   if (static_cast<int>(line.size()) < count)
-    throw InputError(mesh.file + ": the line \"" + group + "\" has " + std::to_string(line.size()) +
-                     " nodes, [reduce] contact_nodes = " + std::to_string(count) +
-                     " asks for more; ask for fewer, or refine the mesh along the blade");
+    refuse(mesh, "the line \"", group, "\" has ", line.size(), " nodes, [reduce] contact_nodes = ", count,
+           " asks for more; ask for fewer, or refine the mesh along the blade");
   if (count == 1) return {line.front()};
   const std::vector<double> lengths = arc_lengths(mesh, line);
   std::vector<int> chosen;
@@ -141,9 +138,8 @@ void describe_nodes(const SectorMesh& mesh, const std::vector<int>& line, const 
 void require_forward(const SectorMesh& mesh, const ContactLine& line, const std::vector<int>& nodes) {
   for (int k = line.size() - line.splitter_nodes + 1; k < line.size(); ++k)
     if (line.arc_length[k] <= line.arc_length[k - 1])
-      throw InputError(mesh.file + ": the line \"" + splitter_group + "\" doesn't go on along the line \"" +
-                       main_group + "\" at " + mesh.place_of(nodes[k]) +
-                       "; both must run from leading to trailing edge, below one casing");
+      refuse(mesh, "the line \"", splitter_group, "\" doesn't go on along the line \"", main_group, "\" at ",
+             mesh.place_of(nodes[k]), "; both must run from leading to trailing edge, below one casing");
 }
 
 }  // namespace

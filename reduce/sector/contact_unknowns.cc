@@ -10,8 +10,6 @@
 #include <numbers>
 #include <string>
 
-#include "cases/program/errors.h"
-#include "cases/program/text.h"
 #include "mesh/cells/cell_kind.h"
 #include "mesh/cells/gauss_points.h"
 #include "reduce/sector/added_functions.h"
@@ -179,10 +177,9 @@ Eigen::MatrixXd scaled(const SectorMesh& mesh, const BladeTip& blade, const TipI
   const Eigen::VectorXd areas = tip.loads.leftCols(tip.points).rowwise().sum();
   for (Eigen::Index k = 0; k < areas.size(); ++k)
     if (!(areas[k] > least_share * areas.mean()))
-      throw InputError(mesh.file + ": the faces of the surface group \"" + blade.faces_group +
-                       "\" leave out a stretch of the line \"" + blade.line_group + "\", segment " +
-                       std::to_string(k + 1) + " of " + std::to_string(areas.size()) + "; it must hold all of the " +
-                       blade.blade + "'s tip, and no other surface");
+      refuse(mesh, "the faces of the surface group \"", blade.faces_group, "\" leave out a stretch of the line \"",
+             blade.line_group, "\", segment ", k + 1, " of ", areas.size(), "; it must hold all of the ", blade.blade,
+             "'s tip, and no other surface");
   return areas.cwiseInverse().asDiagonal() * tip.loads;
 }
 
@@ -233,13 +230,13 @@ std::vector<int> nearest_nodes(const SectorMesh& mesh, const std::vector<int>& l
 
 void require_tip(const SectorMesh& mesh, const BladeTip& blade) {
   if (blade.faces.size() == 0)
-    throw InputError(mesh.file + ": has no surface group \"" + blade.faces_group + "\" with the faces of the " +
-                     blade.blade + "'s tip (of the cells' own kind), over which [reduce] contact = " +
-                     "\"segments\" spreads its forces; name it in the mesher, or take \"points\"");
+    refuse(mesh, "has no surface group \"", blade.faces_group, "\" with the faces of the ", blade.blade,
+           "'s tip (of the cells' own kind), over which [reduce] contact = \"segments\" spreads its forces; name it "
+           "in the mesher, or take \"points\"");
   if (blade.line.size() < 2)
-    throw InputError(mesh.file + ": the line \"" + blade.line_group +
-                     "\" has one node, of which [reduce] contact = \"segments\" can't be made; name the whole tip "
-                     "line in the mesher, or take \"points\"");
+    refuse(mesh, "the line \"", blade.line_group,
+           "\" has one node, of which [reduce] contact = \"segments\" can't be made; name the whole tip "
+           "line in the mesher, or take \"points\"");
 }
 
 /// [m^2] In the direction r, theta, z of the middle of a face: its normal times its area.
@@ -270,9 +267,9 @@ void require_faces_along_line(const SectorMesh& mesh, const BladeTip& blade, con
       s += tip.arc_length[tip.number(node)] / static_cast<double>(corners.size());
     }
     if (std::abs(casing.normalized().dot(area)) < least_facing * area.norm())
-      throw InputError(mesh.file + ": the face at " + mesh.place_of(corners[0]) + " of the " + group +
-                       " does not face the casing, the surface of revolution of the " + line +
-                       "; the group must hold the " + blade.blade + "'s tip, and no other surface");
+      refuse(mesh, "the face at ", mesh.place_of(corners[0]), " of the ", group,
+             " does not face the casing, the surface of revolution of the ", line, "; the group must hold the ",
+             blade.blade, "'s tip, and no other surface");
     all += area.norm();
     largest = std::max(largest, (mesh.nodes.col(corners[0]) - mesh.nodes.col(corners[2])).norm());
     if (s < 0 || s > tip.length()) beyond += area.norm();
@@ -281,12 +278,12 @@ void require_faces_along_line(const SectorMesh& mesh, const BladeTip& blade, con
       mesh.nodes(Eigen::all, std::vector<int>(tip.nodes.begin(), tip.nodes.begin() + tip.points));
   for (const int node : blade.line)
     if ((places.colwise() - mesh.nodes.col(node)).colwise().norm().minCoeff() > largest)
-      throw InputError(mesh.file + ": the node at " + mesh.place_of(node) + " of the " + line + " is not on the " +
-                       group + "; both must be those of the " + blade.blade + "'s tip");
+      refuse(mesh, "the node at ", mesh.place_of(node), " of the ", line, " is not on the ", group,
+             "; both must be those of the ", blade.blade, "'s tip");
   if (beyond > most_beyond * all)
-    throw InputError(text_of(mesh.file, ": the ", line, " ends before the ", group, ", of which ",
-                             std::lround(100 * beyond / all), " % lie beyond its ends; it must run along all of the ",
-                             blade.blade, "'s tip, from leading to trailing edge"));
+    refuse(mesh, "the ", line, " ends before the ", group, ", of which ", std::lround(100 * beyond / all),
+           " % lie beyond its ends; it must run along all of the ", blade.blade,
+           "'s tip, from leading to trailing edge");
 }
 
 ContactUnknowns segments_of(const SectorMesh& mesh, const BladeTip& blade, int count) {
@@ -296,9 +293,8 @@ ContactUnknowns segments_of(const SectorMesh& mesh, const BladeTip& blade, int c
   const Eigen::VectorXd beside = arc_lengths_beside(mesh, mesh.contact_line, points);
   const Eigen::MatrixX3d normals = normals_beside(describe_contact(mesh, blade.line), beside);
   const auto refuse_count = [&] {
-    throw InputError(mesh.file + ": [reduce] contact_nodes = " + std::to_string(count) +
-                     " asks for more segments than the " + std::to_string(tip.nodes.size()) + " nodes of the " +
-                     blade.blade + "'s tip can tell apart; ask for fewer, or refine the mesh along the blade");
+    refuse(mesh, "[reduce] contact_nodes = ", count, " asks for more segments than the ", tip.nodes.size(),
+           " nodes of the ", blade.blade, "'s tip can tell apart; ask for fewer, or refine the mesh along the blade");
   };
   if (count > tip.points) refuse_count();
   const Eigen::MatrixXd weights = scaled(mesh, blade, tip);
@@ -363,9 +359,9 @@ SectorDofs number_dofs(const SectorMesh& mesh, const ContactUnknowns& contact) {
   for (Eigen::Index i = 0; i < contact.weights.cols(); ++i) {
     const int first = dofs.first[contact.tip[i]];
     if (first < 0 || first >= dofs.interior)
-      throw InputError(mesh.file + ": the node at " + mesh.place_of(contact.tip[i]) + " of the surface group \"" +
-                       ((mesh.splitter_faces.array() == contact.tip[i]).any() ? "splitter_tip" : "blade_tip") +
-                       "\" is clamped or lies on a cyclic face; the tip must be free and inside the sector");
+      refuse(mesh, "the node at ", mesh.place_of(contact.tip[i]), " of the surface group \"",
+             (mesh.splitter_faces.array() == contact.tip[i]).any() ? "splitter_tip" : "blade_tip",
+             "\" is clamped or lies on a cyclic face; the tip must be free and inside the sector");
     for (Eigen::Index k = 0; k < contact.weights.rows(); ++k)
       for (int d = 0; d < 3; ++d)
         if (const double weight = contact.weights(k, i); weight != 0)

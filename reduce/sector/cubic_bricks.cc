@@ -8,7 +8,6 @@
 #include <set>
 #include <utility>
 
-#include "cases/program/errors.h"
 #include "mesh/cells/cell_kind.h"
 
 namespace tiprub::reduce {
@@ -72,7 +71,6 @@ class CubicBricks {
 
   SectorMesh run() {
     for (int cell = 0; cell < given_.cell_count(); ++cell) require_brick(cell);
-    for (int cell = 0; cell < given_.cell_count(); ++cell) note_centres(cell);
     for (int cell = 0; cell < given_.cell_count(); ++cell) note(cell);
     number();
     extend_groups();
@@ -93,9 +91,9 @@ class CubicBricks {
   void require_brick(int cell) const {
     const CellKind& kind = cell_kind(static_cast<int>(nodes_of(given_.cells, cell).size()));
     if (constexpr int brick = 8; kind.corners != brick)
-      throw InputError(given_.file + ": " + given_.name_of_cell(cell) + " is a " + kind.name +
-                       "; [reduce] element_order = 3 takes bricks of 20 or 27 nodes only: leave element_order at 2, "
-                       "or set refine = 1");
+      refuse(given_, given_.name_of_cell(cell), " is a ", kind.name,
+             "; [reduce] element_order = 3 takes bricks of 20 or 27 nodes only: leave element_order at 2, "
+             "or set refine = 1");
   }
 
   /// By its corners, from first to last; a cell has 3 dimensions, a face 2.
@@ -113,32 +111,15 @@ class CubicBricks {
     return found;
   }
 
-  Lattice cell_lattice(int cell) const {
-    const auto listed = nodes_of(given_.cells, cell);
-    return lattice(3, {listed.begin(), listed.end()});
-  }
-
   bool comes_before(int a, int b) const { return std::pair(rank_[a], a) < std::pair(rank_[b], b); }
 
   Function function(const Lattice& of, int number) const;
   std::vector<int> nodes_around(const Lattice& of, const std::vector<int>& at) const;
 
-  /// The centres of faces and cells that have nodes: neighbours without nodes there take them.
-  void note_centres(int cell) {
-    if (constexpr int complete = 27; nodes_of(given_.cells, cell).size() != complete) return;
-    const Lattice nodes = cell_lattice(cell);
-    for (int number = 0; number < power(functions_along, 3); ++number) {
-      Function f = function(nodes, number);
-      if (f.is_odd) continue;
-      const int node = nodes.node(axes(number, 3));
-      known_.try_emplace(std::move(f.key), Known{node, {}, false, given_.nodes.col(node)});
-    }
-  }
-
   void note(int cell) {
     const auto listed = nodes_of(given_.cells, cell);
     const CellKind& kind = cell_kind(static_cast<int>(listed.size()));
-    const Lattice nodes = cell_lattice(cell);
+    const Lattice nodes = lattice(3, {listed.begin(), listed.end()});
     for (int number = 0; number < power(functions_along, 3); ++number) {
       Function f = function(nodes, number);
       if (known_.contains(f.key)) continue;
@@ -184,8 +165,8 @@ class CubicBricks {
       if (!all(partner_)) continue;
       const auto high_entry = known_.find({turned(key->first), turned(key->second)});
       if (high_entry == known_.end())
-        throw InputError(given_.file + ": the cells divide cyclic_low and cyclic_high differently near " +
-                         place_text(entry.place) + ", so that [reduce] element_order = 3 can't pair them; re-mesh");
+        refuse(given_, "the cells divide cyclic_low and cyclic_high differently near ", place_text(entry.place),
+               ", so that [reduce] element_order = 3 can't pair them; re-mesh");
       raised_.cyclic_low.push_back(entry.node);
       raised_.cyclic_high.push_back(high_entry->second.node);
     }
@@ -207,8 +188,8 @@ class CubicBricks {
         const Function f = function(nodes, number);
         const auto known = known_.find(f.key);
         if (known == known_.end())
-          throw InputError(given_.file + ": the face of a tip at " + given_.place_of(nodes.nodes.front()) +
-                           " is no face of a cell; name faces of cells in the mesher");
+          refuse(given_, "the face of a tip at ", given_.place_of(nodes.nodes.front()),
+                 " is no face of a cell; name faces of cells in the mesher");
         found.node(number, column) = known->second.node;
         found.sign(number, column) = f.sign;
       }

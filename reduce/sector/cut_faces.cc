@@ -13,7 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include "cases/program/errors.h"
 #include "cases/program/text.h"
 #include "mesh/cells/cell_kind.h"
 #include "mesh/cells/free_faces.h"
@@ -149,8 +148,8 @@ std::string cause(const SectorMesh& mesh, double tolerance) {
   SectorMesh other = mesh;
   std::swap(other.cyclic_low, other.cyclic_high);
   if (const Pairing exchanged = pair(other, tolerance); exchanged.holds(other))
-    return "cyclic_low and cyclic_high are exchanged: cyclic_high must be cyclic_low turned by +360/" +
-           std::to_string(exchanged.sector_count) + " degrees about z; exchange their names";
+    return text_of("cyclic_low and cyclic_high are exchanged: cyclic_high must be cyclic_low turned by +360/",
+                   exchanged.sector_count, " degrees about z; exchange their names");
   const double angle = angle_between_faces(mesh);
   if (sectors_of(angle) == 0 && pair(mesh, tolerance, angle).holds(mesh)) return other_angle(mesh);
   if (const std::string beside = shift(mesh, tolerance); !beside.empty()) return beside;
@@ -174,8 +173,8 @@ std::string advice(double mismatch, double radius) {
 }
 
 std::string not_one_to_one(const SectorMesh& mesh, const Pairing& found) {
-  const std::string counts = std::to_string(mesh.cyclic_low.size()) + " nodes on cyclic_low and " +
-                             std::to_string(mesh.cyclic_high.size()) + " on cyclic_high do not pair one to one";
+  const std::string counts = text_of(mesh.cyclic_low.size(), " nodes on cyclic_low and ", mesh.cyclic_high.size(),
+                                     " on cyclic_high do not pair one to one");
   const int twice = listed_twice(found.partners);
   if (twice < 0) return counts + "; mesh both cuts alike (gmsh: Periodic Surface)";
   return counts + ": two have the partner at " + mesh.place_of(twice) + "; merge nodes at the same place";
@@ -184,11 +183,10 @@ std::string not_one_to_one(const SectorMesh& mesh, const Pairing& found) {
 std::string alone(const SectorMesh& mesh, const Pairing& found) {
   if (found.alone() == 0) return not_one_to_one(mesh, found);
   const double farthest = largest_mismatch(mesh, found.sector_count);
-  return std::to_string(found.alone()) + " of " + std::to_string(mesh.cyclic_low.size()) +
-         " nodes on cyclic_low have no partner among the " + std::to_string(mesh.cyclic_high.size()) +
-         " on cyclic_high, turned by 360/" + std::to_string(found.sector_count) +
-         " degrees, within tolerance; the farthest is " + text_of(farthest) + " m from the nearest; " +
-         advice(farthest, mesh.nodes.topRows<2>().colwise().norm().maxCoeff());
+  return text_of(found.alone(), " of ", mesh.cyclic_low.size(), " nodes on cyclic_low have no partner among the ",
+                 mesh.cyclic_high.size(), " on cyclic_high, turned by 360/", found.sector_count,
+                 " degrees, within tolerance; the farthest is ", farthest, " m from the nearest; ",
+                 advice(farthest, mesh.nodes.topRows<2>().colwise().norm().maxCoeff()));
 }
 
 /// The free faces whose corners are all among these nodes.
@@ -207,8 +205,8 @@ std::vector<int> faces_among(const std::vector<FreeFace>& faces, const std::vect
 void pair_cut_faces(SectorMesh& mesh, double tolerance) {
   Pairing found = pair(mesh, tolerance);
   if (!found.holds(mesh)) {
-    if (const std::string why = cause(mesh, tolerance); !why.empty()) throw InputError(mesh.file + ": " + why);
-    throw InputError(mesh.file + ": " + (found.sector_count == 0 ? other_angle(mesh) : alone(mesh, found)));
+    if (const std::string why = cause(mesh, tolerance); !why.empty()) refuse(mesh, why);
+    refuse(mesh, found.sector_count == 0 ? other_angle(mesh) : alone(mesh, found));
   }
   mesh.sector_count = found.sector_count;
   mesh.cyclic_high = std::move(found.partners);
@@ -224,11 +222,9 @@ void require_whole_cuts(const SectorMesh& mesh) {
     const std::vector<int> patch = surface_patch(faces, *cut);
     const auto alone = std::count_if(patch.begin(), patch.end(), [&](int face) { return !named.contains(face); });
     if (alone > 0)
-      throw InputError(
-          mesh.file + ": " + name + " holds " + std::to_string(cut->size()) + " of the " +
-          std::to_string(cut->size() + static_cast<std::size_t>(alone)) +
-          " faces of its surface; a cut is all of it: mesh both cuts alike (gmsh: Periodic Surface), and "
-          "name all of their faces; where a slit continues it, cut the sector beside the slit");
+      refuse(mesh, name, " holds ", cut->size(), " of the ", cut->size() + static_cast<std::size_t>(alone),
+             " faces of its surface; a cut is all of it: mesh both cuts alike (gmsh: Periodic Surface), and "
+             "name all of their faces; where a slit continues it, cut the sector beside the slit");
   }
 }
 

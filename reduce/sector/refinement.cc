@@ -5,7 +5,6 @@
 #include <cmath>
 #include <set>
 
-#include "cases/program/errors.h"
 #include "mesh/cells/cell_kind.h"
 #include "reduce/sector/cell_checks.h"
 
@@ -138,8 +137,8 @@ class Refinement {
       const std::vector<int> nodes(listed.begin(), listed.end());
       const CellKind& kind = cell_kind(static_cast<int>(nodes.size()));
       if (kind.corners == 5)
-        throw InputError(coarse_.file + ": " + coarse_.name_of_cell(cell) +
-                         " is a pyramid, which [reduce] refine can't split; leave refine at 0");
+        refuse(coarse_, coarse_.name_of_cell(cell),
+               " is a pyramid, which [reduce] refine can't split; leave refine at 0");
       for (const Places& corners : children_of(kind)) {
         children[cell].push_back(static_cast<int>(cells.size()));
         cells.emplace_back();
@@ -196,8 +195,8 @@ class Refinement {
       std::sort(turned.begin(), turned.end());
       const auto high = numbers_.find(turned);
       if (high == numbers_.end())
-        throw InputError(coarse_.file + ": the cells divide cyclic_low and cyclic_high differently near " +
-                         place_text(places_[node]) + ", so that [reduce] refine can't pair them; re-mesh");
+        refuse(coarse_, "the cells divide cyclic_low and cyclic_high differently near ", place_text(places_[node]),
+               ", so that [reduce] refine can't pair them; re-mesh");
       fine_.cyclic_low.push_back(node);
       fine_.cyclic_high.push_back(high->second);
     }

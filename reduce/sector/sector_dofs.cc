@@ -23,15 +23,14 @@ std::vector<Place> place_nodes(const SectorMesh& mesh, const std::vector<int>& c
   for (const int node : mesh.cyclic_high) places[node] = Place::high;
   for (const int node : contact) {
     if (places[node] != Place::interior)
-      throw InputError(mesh.file + ": the contact node at " + mesh.place_of(node) +
-                       " lies on a cyclic face; a contact node must be inside the sector");
+      refuse(mesh, "the contact node at ", mesh.place_of(node),
+             " lies on a cyclic face; a contact node must be inside the sector");
     places[node] = Place::contact;
   }
   // A clamped node stays clamped on a cut face too, and its partner is clamped with it.
   for (const int node : mesh.clamped) {
     if (places[node] == Place::contact)
-      throw InputError(mesh.file + ": the contact node at " + mesh.place_of(node) +
-                       " is clamped; a contact node must be free");
+      refuse(mesh, "the contact node at ", mesh.place_of(node), " is clamped; a contact node must be free");
     places[node] = Place::clamped;
   }
   for (std::size_t k = 0; k < mesh.cyclic_low.size(); ++k)
@@ -98,8 +97,7 @@ SectorDofs number_dofs(const SectorMesh& mesh, const std::vector<int>& contact) 
   int next = 0;
   const auto number = [&](int node) {
     if (mesh.nodes.col(node).head<2>().norm() == 0.0)
-      throw InputError(mesh.file + ": the node at " + mesh.place_of(node) +
-                       " lies on the axis and is free; clamp it, or bore the wheel");
+      refuse(mesh, "the node at ", mesh.place_of(node), " lies on the axis and is free; clamp it, or bore the wheel");
     dofs.first[node] = next;
     next += 3;
   };

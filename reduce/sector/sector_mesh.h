@@ -8,6 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "cases/program/errors.h"
+#include "cases/program/text.h"
+
 namespace tiprub::reduce {
 
 /// K and M of a sector as another code made them: x, y, z of each node, both triangles.
@@ -77,5 +80,11 @@ std::string digest(const SectorMesh& mesh);
 
 /// "x y z = 0.1 0 0.02 m", for messages.
 std::string place_text(const Eigen::Vector3d& position);
+
+/// Raises InputError: the file of a mesh, and the parts of a message one after another.
+template <class... Parts>
+[[noreturn]] void refuse(const SectorMesh& mesh, const Parts&... message) {
+  throw InputError(text_of(mesh.file, ": ", message...));
+}
 
 }  // namespace tiprub::reduce

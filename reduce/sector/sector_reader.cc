@@ -10,6 +10,7 @@
 #include <string>
 
 #include "cases/program/errors.h"
+#include "cases/program/text.h"
 #include "mesh/cells/cell_kind.h"
 #include "mesh/cells/free_faces.h"
 #include "mesh/cells/gmsh_file.h"
@@ -57,8 +58,9 @@ const CellKind& kind_of(const GmshElements& elements, const std::string& mesh) {
                                  "-o sector.msh, or Mesh.ElementOrder = 2"
                            : is_in(complete) ? "; set Mesh.SecondOrderIncomplete = 1 in gmsh"
                                              : "";
-  throw InputError(mesh + ": volume group \"sector\" holds elements of gmsh type " + std::to_string(elements.type) +
-                   "; it must hold tet10 (11), pyramid13 (19), wedge15 (18), hex20 (17), or hex27 (12) only" + what);
+  throw InputError(text_of(mesh, ": volume group \"sector\" holds elements of gmsh type ", elements.type,
+                           "; it must hold tet10 (11), pyramid13 (19), wedge15 (18), hex20 (17), or hex27 (12) only",
+                           what));
 }
 
 /// The cells in the file's order, entity by entity, which is the same in all of gmsh's formats: sums over them are
@@ -74,13 +76,12 @@ CellTags read_cells(const GmshFile& file, SectorMesh& mesh) {
     mesh.cell_tags.insert(mesh.cell_tags.end(), elements.tags.begin(), elements.tags.end());
   }
   if (cells.empty())
-    throw InputError(mesh.file +
-                     ": has no volume group \"sector\" with cells; name it in the mesher, or import the mesh first: "
-                     "tiprub-mesh with [mesh] mesh_file");
+    refuse(mesh,
+           "has no volume group \"sector\" with cells; name it in the mesher, or import the mesh first: "
+           "tiprub-mesh with [mesh] mesh_file");
   constexpr int lagrange = 27;
   if (kinds.contains(lagrange) && kinds.size() > 1)
-    throw InputError(mesh.file +
-                     ": hex27 beside other kinds of cells: their faces don't fit; mesh the bricks as hex20");
+    refuse(mesh, "hex27 beside other kinds of cells: their faces don't fit; mesh the bricks as hex20");
   mesh.cells = Eigen::MatrixXi::Constant(*kinds.rbegin(), static_cast<Eigen::Index>(cells.size()), -1);
   return cells;
 }
@@ -113,8 +114,8 @@ Eigen::Matrix3Xd read_positions(const GmshFile& file, const NodeNumbers& numbers
       nodes.col(node) = Eigen::Map<const Eigen::Vector3d>(file.positions.data() + 3 * i);
   for (int node = 0; node < nodes.cols(); ++node)
     if (!nodes.col(node).allFinite())
-      throw InputError(name + ": node " + std::to_string(numbers.tag(node)) +
-                       " stands at no finite place; write the mesh again");
+      throw InputError(
+          text_of(name, ": node ", numbers.tag(node), " stands at no finite place; write the mesh again"));
   return nodes;
 }
 
@@ -136,9 +137,8 @@ void require_faces_of_cells(const GmshFile& file, const NodeNumbers& numbers, co
           common = k == 0 ? here : both;
         }
         if (common.empty())
-          throw InputError(mesh.file + ": surface group \"" + name + "\": the nodes of element " +
-                           std::to_string(elements.tags[face]) +
-                           " belong to no cell in common; write the mesh again");
+          refuse(mesh, "surface group \"", name, "\": the nodes of element ", elements.tags[face],
+                 " belong to no cell in common; write the mesh again");
       }
     }
 }
@@ -174,9 +174,9 @@ void require_clamp_off_cuts(const GmshFile& file, const NodeNumbers& numbers, co
       const auto width = static_cast<std::ptrdiff_t>(elements.nodes_per_element());
       for (auto at = elements.nodes.begin(); at != elements.nodes.end(); at += width)
         if (std::all_of(at, at + width, on_cut))
-          throw InputError(mesh.file + ": the face at " + mesh.place_of(numbers.find(*at)) +
-                           " of the surface group \"clamped\" lies on a cut, inside the wheel; take the cuts out of "
-                           "this group");
+          refuse(mesh, "the face at ", mesh.place_of(numbers.find(*at)),
+                 " of the surface group \"clamped\" lies on a cut, inside the wheel; take the cuts out of "
+                 "this group");
     }
   }
 }
@@ -230,12 +230,11 @@ std::vector<int> read_line(const GmshFile& file, const std::string& name, const 
   for (const std::vector<std::size_t>& piece : line_pieces(file, name)) {
     for (const std::size_t tag : piece) {
       const int node = numbers.find(tag);
-      if (node < 0) throw InputError(mesh.file + ": group \"" + name + "\" has nodes that belong to no cell");
+      if (node < 0) refuse(mesh, "group \"", name, "\" has nodes that belong to no cell");
       const bool joins = !nodes.empty() && nodes.back() == node;
       if (piece.size() > 1 && tag == piece.front() && !nodes.empty() && !joins)
-        throw InputError(mesh.file + ": the curve \"" + name + "\" jumps from " + mesh.place_of(nodes.back()) +
-                         " to " + mesh.place_of(node) +
-                         "; order its elements, and direct all of them, from leading to trailing edge");
+        refuse(mesh, "the curve \"", name, "\" jumps from ", mesh.place_of(nodes.back()), " to ", mesh.place_of(node),
+               "; order its elements, and direct all of them, from leading to trailing edge");
       if (!joins) nodes.push_back(node);
     }
   }
@@ -249,9 +248,9 @@ std::vector<int> read_splitter_line(const GmshFile& file, const NodeNumbers& num
   const bool named = std::any_of(file.elements.begin(), file.elements.end(),
                                  [&](const GmshElements& elements) { return elements.group == name; });
   if (named && nodes.empty())
-    throw InputError(mesh.file + ": \"" + name +
-                     "\" names neither a curve nor points; name the line along the splitter's tip so, from leading "
-                     "to trailing edge");
+    refuse(mesh, "\"", name,
+           "\" names neither a curve nor points; name the line along the splitter's tip so, from leading "
+           "to trailing edge");
   return nodes;
 }
 
@@ -271,8 +270,8 @@ SectorMesh read_sector_mesh(const std::filesystem::path& path, double tolerance)
           numbers.find(cells[cell][static_cast<std::size_t>(place[k])]);
   }
   if (const auto [first, second] = equal_cells(listed_cells(mesh.cells)); first >= 0)
-    throw InputError(mesh.file + ": " + mesh.name_of_cell(first) + " and " + mesh.name_of_cell(second) +
-                     " have the same nodes; is the mesh there twice? Write it once");
+    refuse(mesh, mesh.name_of_cell(first), " and ", mesh.name_of_cell(second),
+           " have the same nodes; is the mesh there twice? Write it once");
   mesh.parts = read_parts(file, cells);
   require_faces_of_cells(file, numbers, mesh);
   read_cut_faces(file, numbers, tolerance, mesh);
@@ -281,17 +280,16 @@ SectorMesh read_sector_mesh(const std::filesystem::path& path, double tolerance)
   mesh.tip_faces = read_tip(file, "blade_tip", numbers);
   mesh.contact_line = read_line(file, "contact", numbers, mesh);
   if (mesh.contact_line.empty())
-    throw InputError(
-        mesh.file +
-        ": has no curve or points named \"contact\" (the main blade's tip, from leading to trailing edge); "
-        "name it in the mesher");
+    refuse(mesh,
+           "has no curve or points named \"contact\" (the main blade's tip, from leading to trailing edge); "
+           "name it in the mesher");
   mesh.splitter_line = read_splitter_line(file, numbers, mesh);
   if (!mesh.splitter_line.empty()) mesh.splitter_faces = read_tip(file, "splitter_tip", numbers);
   require_one_way(mesh);
   if (const std::string wrong =
           wrong_parts(mesh.cells, mesh.parts, {{"main_blade", mesh.contact_line}, {"splitter", mesh.splitter_line}});
       !wrong.empty())
-    throw InputError(mesh.file + ": " + wrong + "; name the groups of cells again in the mesher");
+    refuse(mesh, wrong, "; name the groups of cells again in the mesher");
   return mesh;
 }
 

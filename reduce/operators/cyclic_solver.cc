@@ -96,7 +96,7 @@ Eigen::MatrixXcd CyclicSolver::solve_block(const Eigen::MatrixXcd& load, Contact
   const SectorDofs& dofs = transform_.dofs();
   const Eigen::Index held = dofs.face - moving_face();
   const Eigen::Index kept = moving_face() + (contact == ContactNodes::free ? dofs.boundary() : 0);
-  Eliminated eliminated = factor_.eliminate(split(load.topRows(dofs.interior), transform_.is_real()));
+  Eliminated eliminated = factor_.engine().eliminate(split(load.topRows(dofs.interior), transform_.is_real()));
   Eigen::MatrixXcd interface = load.bottomRows(dofs.face + dofs.boundary()) +
                                transform_.gather_interface(join(eliminated.interface_load, transform_.is_real()));
   const auto lower = cholesky_.topLeftCorner(kept, kept).triangularView<Eigen::Lower>();
@@ -106,7 +106,7 @@ Eigen::MatrixXcd CyclicSolver::solve_block(const Eigen::MatrixXcd& load, Contact
   if (kept > 0) lower.solveInPlace(solved);
   if (kept > 0) lower.adjoint().solveInPlace(solved);
   Eigen::MatrixXcd result(dofs.independent(), load.cols());
-  const Eigen::MatrixXd moved = factor_.back_substitute(
+  const Eigen::MatrixXd moved = factor_.engine().back_substitute(
       std::move(eliminated), split(transform_.expand_interface(interface), transform_.is_real()));
   result << join(moved.topRows(dofs.interior), transform_.is_real()), interface;
   return result;
@@ -124,7 +124,7 @@ Eigen::MatrixXcd CyclicSolver::constraint_modes() const {
   auto solved = interface.topRows(face);
   cholesky_.topLeftCorner(face, face).triangularView<Eigen::Lower>().adjoint().solveInPlace(solved);
   const Eigen::MatrixXd imposed = split(transform_.expand_interface(interface), transform_.is_real());
-  const Eigen::MatrixXd moved = factor_.back_substitute(factor_.unloaded(imposed.cols()), imposed);
+  const Eigen::MatrixXd moved = factor_.engine().back_substitute(factor_.engine().unloaded(imposed.cols()), imposed);
   Eigen::MatrixXcd result(dofs.independent(), boundary);
   result << join(moved.topRows(dofs.interior), transform_.is_real()), interface;
   return result;

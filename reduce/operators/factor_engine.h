@@ -36,7 +36,7 @@ inline RunError unstable_interior() {
   return RunError("the stiffness is not positive definite: the rotor is unstable, or a part of it is not held");
 }
 
-/// A library that factorizes a sector's stiffness; see SectorFactor for what the functions do.
+/// A library that factorizes a sector's stiffness.
 class FactorEngine {
  public:
   FactorEngine() = default;
@@ -47,9 +47,14 @@ class FactorEngine {
   /// S, in the order of SectorDofs; both triangles. It is where the factor is. Called once, right after the
   /// factorization.
   virtual StoredMatrix take_schur_complement() = 0;
+  /// First half of a solve: from a load on the interior (rows 0 .. interior-1 of `interior_load`), the load that
+  /// reaches the interface, -K_FI K_II^-1 b_I, and what back_substitute() needs of it. With MUMPS other threads wait
+  /// from here on until the second half is done.
   virtual Eliminated eliminate(const Eigen::MatrixXd& interior_load) const = 0;
-  /// eliminate() without a load.
+  /// The same without a load.
   virtual Eliminated unloaded(Eigen::Index columns) const = 0;
+  /// Second half: the displacement of the sector when its interface moves by `interface` (interface x columns);
+  /// sector x columns, in the order of SectorDofs.
   virtual Eigen::MatrixXd back_substitute(Eliminated&& eliminated, const Eigen::MatrixXd& interface) const = 0;
 };
 

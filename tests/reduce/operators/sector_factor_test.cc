@@ -74,9 +74,9 @@ TEST_P(SectorFactorBy, EliminatesAndSubstitutesBack) {
   for (const int columns : {1, 3, 8, 16, 19, 27}) {  // one strip of right sides, wide or narrow, and more
     const Eigen::MatrixXd b = test::arbitrary(rotor.dofs().interior, columns).real();
     const Eigen::MatrixXd moved = test::arbitrary(rotor.dofs().interface(), columns).imag() * 1e-9;
-    Eliminated eliminated = factor.eliminate(b);
+    Eliminated eliminated = factor.engine().eliminate(b);
     EXPECT_LT(difference(eliminated.interface_load, -K.FI * test::solved(K.II, b)), 1e-11);
-    const Eigen::MatrixXd x = factor.back_substitute(std::move(eliminated), moved);
+    const Eigen::MatrixXd x = factor.engine().back_substitute(std::move(eliminated), moved);
     EXPECT_LT(difference(x.bottomRows(rotor.dofs().interface()), moved), 1e-11);
     EXPECT_LT(difference(K.II * x.topRows(rotor.dofs().interior), b - K.FI.transpose() * moved), 1e-11);
   }

@@ -42,16 +42,9 @@ struct Graph {
 };
 
 Graph node_graph(const SectorMesh& mesh, const SectorDofs& dofs) {
-  const std::vector<std::vector<int>> neighbours = node_neighbours(mesh);
-  std::vector<int> node_at(dofs.sector() / 3);
-  for (int node = 0; node < mesh.node_count(); ++node)
-    if (dofs.first[node] >= 0) node_at[dofs.first[node] / 3] = node;
   Graph graph;
-  for (std::size_t column = 0; column < node_at.size(); ++column) {
-    const auto first = static_cast<std::ptrdiff_t>(graph.rows.size());
-    for (const int other : neighbours[node_at[column]])
-      if (dofs.first[other] >= static_cast<int>(3 * column)) graph.rows.push_back(dofs.first[other] / 3);
-    std::sort(graph.rows.begin() + first, graph.rows.end());
+  for (const std::vector<int>& rows : lower_neighbours(mesh, dofs)) {
+    graph.rows.insert(graph.rows.end(), rows.begin(), rows.end());
     graph.starts.push_back(static_cast<std::int64_t>(graph.rows.size()));
   }
   return graph;

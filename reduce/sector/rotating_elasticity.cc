@@ -102,25 +102,17 @@ Eigen::MatrixXd consistent_mass(const CellPoints& points, double density) {
 }  // namespace
 
 SymmetricMatrix zero_matrix(const SectorMesh& mesh, const SectorDofs& dofs) {
-  const std::vector<std::vector<int>> neighbours = node_neighbours(mesh);
-  std::vector<int> node_of(dofs.sector() / 3);
-  for (int node = 0; node < mesh.node_count(); ++node)
-    if (dofs.first[node] >= 0) node_of[dofs.first[node] / 3] = node;
+  const std::vector<std::vector<int>> lower = lower_neighbours(mesh, dofs);
+  const int nodes = static_cast<int>(lower.size());
   SymmetricMatrix matrix(dofs.sector(), dofs.sector());
-  std::vector<std::vector<int>> rows(node_of.size());  // first dofs of the row nodes, one list a column node
   Eigen::VectorXi sizes(dofs.sector());
-  for (std::size_t column = 0; column < node_of.size(); ++column) {
-    for (const int node : neighbours[node_of[column]])
-      if (dofs.first[node] >= static_cast<int>(3 * column)) rows[column].push_back(dofs.first[node]);
-    std::sort(rows[column].begin(), rows[column].end());
-    for (int k = 0; k < 3; ++k) sizes[3 * column + k] = static_cast<int>(3 * rows[column].size()) - k;
-  }
+  for (int column = 0; column < nodes; ++column)
+    for (int k = 0; k < 3; ++k) sizes[3 * column + k] = static_cast<int>(3 * lower[column].size()) - k;
   matrix.reserve(sizes);
-  for (std::size_t column = 0; column < node_of.size(); ++column)
+  for (int column = 0; column < nodes; ++column)
     for (int k = 0; k < 3; ++k)
-      for (const int first : rows[column])
-        for (int i = (first == static_cast<int>(3 * column) ? k : 0); i < 3; ++i)
-          matrix.insert(first + i, static_cast<Eigen::Index>(3 * column) + k) = 0.0;
+      for (const int row : lower[column])
+        for (int i = row == column ? k : 0; i < 3; ++i) matrix.insert(3 * row + i, 3 * column + k) = 0.0;
   matrix.makeCompressed();
   return matrix;
 }

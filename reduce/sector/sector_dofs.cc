@@ -88,6 +88,19 @@ std::vector<std::vector<int>> node_neighbours(const SectorMesh& mesh) {
   return neighbours;
 }
 
+std::vector<std::vector<int>> lower_neighbours(const SectorMesh& mesh, const SectorDofs& dofs) {
+  const std::vector<std::vector<int>> neighbours = node_neighbours(mesh);
+  std::vector<std::vector<int>> lower(static_cast<std::size_t>(dofs.sector() / 3));
+  for (int node = 0; node < mesh.node_count(); ++node) {
+    if (dofs.first[node] < 0) continue;
+    std::vector<int>& rows = lower[dofs.first[node] / 3];
+    for (const int other : neighbours[node])
+      if (dofs.first[other] >= dofs.first[node]) rows.push_back(dofs.first[other] / 3);
+    std::sort(rows.begin(), rows.end());
+  }
+  return lower;
+}
+
 // eq. 5: i first, then c (low, high), then b.
 SectorDofs number_dofs(const SectorMesh& mesh, const std::vector<int>& contact) {
   const std::vector<Place> places = place_nodes(mesh, contact);

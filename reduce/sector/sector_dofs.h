@@ -40,6 +40,10 @@ SectorDofs number_dofs(const SectorMesh& mesh, const std::vector<int>& contact);
 /// Nodes that share a cell, or an entry of the matrices, with each node, itself included, ascending.
 std::vector<std::vector<int>> node_neighbours(const SectorMesh& mesh);
 
+/// The pattern of a symmetric matrix between the nodes that move, counted in the order of their dofs: for each of
+/// them its neighbours from itself on, ascending.
+std::vector<std::vector<int>> lower_neighbours(const SectorMesh& mesh, const SectorDofs& dofs);
+
 /// The frame of a node: columns e_r, e_theta, e_z in x, y, z.
 Eigen::Matrix3d cylindrical_frame(const Eigen::Vector3d& position);
 

@@ -49,13 +49,6 @@ Eigen::RowVectorXd largest_displacements(const Eigen::MatrixXd& motions) {
   return largest;
 }
 
-/// Unit forces along the normals, on the contact dofs; contact dofs x n_c.
-Eigen::MatrixXd normal_forces(const ContactLine& line) {
-  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(3 * line.size(), line.size());
-  for (int k = 0; k < line.size(); ++k) forces.block<3, 1>(3 * k, k) = line.normal.row(k).transpose();
-  return forces;
-}
-
 Eigen::MatrixX2d casing_curvature(const SectorMesh& mesh, const ContactUnknowns& contact) {
   const ContactLine& line = contact.line;
   Eigen::MatrixX2d curvature(line.size(), 2);

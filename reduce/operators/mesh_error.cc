@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mesh/cells/cell_kind.h"
+#include "reduce/sector/contact_line.h"
 #include "reduce/sector/parallel_for.h"
 
 namespace tiprub::reduce {
@@ -218,10 +219,7 @@ MeshErrorEstimate::Errors MeshErrorEstimate::of_frequencies(const CyclicSolver& 
 MeshErrorEstimate::Errors MeshErrorEstimate::of_compliances(const CyclicSolver& at_rest,
                                                             const ContactUnknowns& contact) const {
   const CyclicTransformation &nodes = at_rest.transform(), cubic = nodes.with(functions_.dofs());
-  const Eigen::Index count = contact.line.size();
-  Eigen::MatrixXd along_normals = Eigen::MatrixXd::Zero(3 * count, count);
-  for (Eigen::Index k = 0; k < count; ++k)
-    along_normals.block<3, 1>(3 * k, k) = contact.line.normal.row(k).transpose();
+  const Eigen::MatrixXd along_normals = normal_forces(contact.line);
   const auto complex = [](const Eigen::MatrixXd& loads) { return loads.cast<std::complex<double>>().eval(); };
   const Growths found = growths(
       at_rest,

@@ -179,6 +179,12 @@ Eigen::VectorXd arc_lengths_beside(const SectorMesh& mesh, const std::vector<int
   return found;
 }
 
+Eigen::MatrixXd normal_forces(const ContactLine& line) {
+  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(3 * line.size(), line.size());
+  for (int k = 0; k < line.size(); ++k) forces.block<3, 1>(3 * k, k) = line.normal.row(k).transpose();
+  return forces;
+}
+
 Eigen::VectorXd meridional_curvature(const SectorMesh& mesh, const std::vector<int>& contact,
                                      const Eigen::MatrixX3d& normals) {
   Eigen::VectorXd curvature(normals.rows());

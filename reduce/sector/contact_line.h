@@ -30,6 +30,9 @@ Eigen::VectorXd arc_lengths_beside(const SectorMesh& mesh, const std::vector<int
 /// along a splitter.
 ContactLine describe_contact(const SectorMesh& mesh, const std::vector<int>& contact);
 
+/// Unit forces along the normals, on the contact dofs; contact dofs x n_c.
+Eigen::MatrixXd normal_forces(const ContactLine& line);
+
 /// [1/m] The curvature of the casing along the meridian beside some nodes of the contact lines, at which it has these
 /// normals (n_c x 3; r, theta, z): positive where it bends round the blade, so that a tip which moves along the
 /// tangent comes nearer. By quadratic differences over arc length; zero on a line of fewer than three nodes.

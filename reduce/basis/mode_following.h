@@ -29,13 +29,13 @@ struct FollowedModes {
 
 /// Follows the modes of a basis to the modes of the unreduced sector at several speeds, by the generalized
 /// Davidson method (Morgan and Scott 1986) without restart. The factor of a nearby speed is the preconditioner.
-/// With r = K x - omega^2 M x, a mode's omega^2 is too high by about r^H K^-1 r, and K^-1 r is the shape that the
-/// basis lacks. This shape is nearly the same at all speeds, so that the speeds are treated one after the other
-/// and share the shapes. Most of the time is spent in solves with the factor. They are made only for residuals
-/// that may matter: for any other residual, r^H K^-1 r is estimated as r^H r times the largest compliance, r^H
-/// K^-1 r / r^H r, of all residuals so far. A mode that is orthogonal to the basis can't be found. The basis must
-/// contain the constraint modes at rest and at the speeds of the factors, so that the added shapes may hold the
-/// contact nodes. All functions raise RunError if a stiffness is not positive definite on the basis.
+/// A mode's omega^2 is too high by about r^H K^-1 r, and the basis lacks K^-1 r (reduce/theory.md, section 3), which
+/// is nearly the same at all speeds: they are treated one after the other and share the shapes. Most of the time is
+/// spent in solves with the factor. They are made only for residuals that may matter: for any other residual, r^H
+/// K^-1 r is estimated as r^H r times the largest compliance, r^H K^-1 r / r^H r, of all residuals so far. A mode
+/// that is orthogonal to the basis can't be found. The basis must contain the constraint modes at rest and at the
+/// speeds of the factors, so that the added shapes may hold the contact nodes. All functions raise RunError if a
+/// stiffness is not positive definite on the basis.
 ///
 /// The block Davidson method of Trilinos' Anasazi isn't used because its space belongs to one operator, so that
 /// speeds could share nothing, and because it has no complex adapter here (see cyclic_modes.h).

@@ -11,30 +11,19 @@
 
 namespace tiprub::reduce {
 
-/// Estimates the error that a mesh causes in frequencies and compliances at rest, without a finer mesh.
+/// Estimates the error that a mesh causes in frequencies and compliances at rest, without a finer mesh: section 8 of
+/// reduce/theory.md, with its names. w are those of AddedFunctions.
 ///
-/// A mesh with the stiffness K responds to the load f_u with K u = f_u and the work J = f_u'u. Let A be the stiffness
-/// of the larger space that also contains cubic functions w (see AddedFunctions), integrated by points that are exact
-/// in straight cells. It responds to the load f = (f_w, f_u) with the work f'A^-1 f. With the residual r = f - A (0,
-/// u) of the known solution u,
-///     f'A^-1 f - J = u'r_u + r'A^-1 r,    r_u = (K - A_uu) u.
-/// r_u is due to the integration points of the mesh. A is positive definite, whatever K is. If K took the place of
-/// A_uu in A, this would not hold for cells with few points: K of wedges with 9 points is smaller than A_uu by more
-/// than the Schur complement.
+/// A is positive definite, whatever K is. If K took the place of A_uu in A, this would not hold for cells with few
+/// points: K of wedges with 9 points is smaller than A_uu by more than the Schur complement.
 ///
-/// A compliance is the work of a unit force. A mode (omega^2, u) with u' M u = 1 has the load omega^2 B u, where B is
-/// the mass by the points of A. Its squared frequency relates to the exact one as
-///     omega^2 : omega_exact^2 = u' B_uu u f'A^-1 f : J.
-///
-/// Some steps of the conjugate gradient method find r'A^-1 r from below. The preconditioner is the block elimination
-/// of A with K in place of A_uu. In place of the Schur complement on w, it solves for each corner the problem of the
-/// functions, cubic and nodal ones, that vanish outside the cells around this corner (additive Schwarz). For a patch
-/// on the cuts, the factors e^{i n alpha} cancel in a frame of its own, so that its matrix is real and serves all
-/// nodal diameters. A problem for each cell alone (Bank and Weiser 1985) is cheaper, but locks in shear where a
-/// single brick spans a thin plate, and misses most of the error there. A step costs two solutions with K, or one if
-/// all cells are bricks. K of straight bricks is A_uu, so that the nodes that follow the cubic functions leave no
-/// residual, and that of curved ones is left out (4e-5 of the error of a frequency on a sector of 115,812 dofs).
-/// Without the solution for it the iteration stalls for wedges.
+/// The preconditioner of the conjugate gradients is the block elimination of A with K in place of A_uu. In place of
+/// the Schur complement on w, it solves for each corner the problem of the functions, cubic and nodal ones, that
+/// vanish outside the cells around this corner (additive Schwarz). For a patch on the cuts, the factors e^{i n alpha}
+/// cancel in a frame of its own, so that its matrix is real and serves all nodal diameters. K of straight bricks is
+/// A_uu, so that the nodes that follow the cubic functions leave no residual, and that of curved ones is left out
+/// (4e-5 of the error of a frequency on a sector of 115,812 dofs). Without the solution for it the iteration stalls
+/// for wedges.
 ///
 /// Memory: a brick of 20 nodes takes 95 kB, one of 27 nodes 190 kB, a tetrahedron 25 kB. The patches, in single
 /// precision, take 30 kB per cell, or 110 kB for bricks of 27 nodes.

@@ -17,12 +17,9 @@ namespace tiprub::reduce {
 /// With linear and stress-only prestress s_1 is the only term, and exact. With nonlinear prestress the polynomial
 /// goes through the equilibria at m speeds.
 ///
-/// The shape is interpolated, not K, because a thin blade that rotates under spin rotates its stiff directions
-/// too. A polynomial through the entries of K would leave part of the membrane stiffness, which may be many times
-/// the bending stiffness, in directions that are soft between its speeds. The tangent stiffness of an interpolated
-/// shape has its stiff directions where that shape has rotated them. It is quadratic in the shape (St
-/// Venant-Kirchhoff), so that K at all of these shapes is exactly K0 + Omega^2 K1 + ... with 2m + 1 terms. Eq. 7,
-/// which has three terms, is the case m = 1.
+/// The shape is interpolated, not K, because a thin blade that rotates under spin rotates its stiff directions too
+/// (see reduce/theory.md). The tangent stiffness is quadratic in the shape (St Venant-Kirchhoff), so that K at all of
+/// these shapes is exactly K0 + Omega^2 K1 + ... with 2m + 1 terms. Eq. 7, which has three terms, is the case m = 1.
 struct SpinShape {
   SpeedPolynomial<Eigen::VectorXd, 1> displacement;  ///< u; s_1, s_2, ... [m s^2, m s^4, ...]; sector dofs
   double imbalance = 0;   ///< [1] see spin_imbalance(); largest in the middle between its speeds

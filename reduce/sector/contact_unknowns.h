@@ -30,15 +30,11 @@ SectorDofs number_dofs(const SectorMesh& mesh, const ContactUnknowns& contact);
 /// are segments where the mesh names the tips' faces and each line has more than one node, else points. Points are
 /// chosen by choose_contact_nodes().
 ///
-/// Segments have knots at equal steps of the arc length s of a blade's contact line. Each has a hat function w_k(s),
-/// constant through the blade's thickness; the sum of all hats is one. With N_i the shape functions of the tip's
-/// faces,
-///     W_ki = int N_i w_k dA / int w_k dA,   q_k = sum_i W_ki u_i:
-/// a gap is the mean over its segment, and a force lambda_k is the traction lambda_k w_k / int w_k dA, consistently
-/// on the nodes, or on all functions of cubic bricks. The traction is the same on any mesh, so its compliance
-/// converges, unlike that of a force at a point. Places, arc lengths and normals (made unit again) are the same means
-/// of the nodes'. Raises InputError if the mesh doesn't name the tip's faces, if they leave out a stretch of the
-/// line, or if there are more segments than the mesh can tell apart.
+/// Segments are those of section 5 of reduce/theory.md: with N_i the shape functions of the tip's faces, or all
+/// functions of cubic bricks,
+///     W_ki = int N_i w_k dA / int w_k dA,   q_k = sum_i W_ki u_i.
+/// Raises InputError if the mesh doesn't name the tip's faces, if they leave out a stretch of the line, or if there
+/// are more segments than the mesh can tell apart.
 ContactUnknowns choose_contact(const SectorMesh& mesh, std::optional<ContactKind> kind, int count);
 
 }  // namespace tiprub::reduce

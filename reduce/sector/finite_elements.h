@@ -26,18 +26,14 @@ struct CellIntegral {
   Eigen::MatrixXd value;
 };
 
-/// A sector's cells as finite elements of deal.II (Arndt et al. 2021): a triangulation, a DoFHandler that numbers it,
-/// and an isoparametric mapping for which the nodes of the file, mid-side nodes included, are the geometry. Bricks
-/// are FE_Q(2), wedges FE_WedgeP(2), tetrahedra FE_SimplexP(2), with the integration points of CalculiX's C3D20 (27),
-/// C3D15 (9) and C3D10 (4). deal.II 9.4 has no quadratic pyramid: for these the table of cell_kind.h serves.
+/// A sector's cells as finite elements of deal.II (Arndt et al. 2021), of the kinds in reduce/theory.md, section 1: a
+/// triangulation, a DoFHandler that numbers it, and an isoparametric mapping for which the nodes of the file,
+/// mid-side nodes included, are the geometry. deal.II 9.4 has no quadratic pyramid: for these the table of
+/// cell_kind.h serves.
 ///
-/// Bricks of 20 nodes and wedges of 15 are subspaces: displacement and geometry in the middle of a face or cell
-/// follow from corners and edges by fixed weights (face: -1/4 a corner, 1/2 an edge; cell: -1/4, 1/4). These are
-/// constraints, and they are resolved in the shape functions before anything is integrated: a matrix of 60 dofs costs
-/// half of one of 81.
-///
-/// Where the mesh has cubic functions (see cubic_bricks.h), displacements are FE_Q(3), integrated at 64 points, and
-/// the geometry is that of the quadratic brick.
+/// Bricks of 20 nodes and wedges of 15 are subspaces, by constraints that are resolved in the shape functions before
+/// anything is integrated: a matrix of 60 dofs costs half of one of 81. Where the mesh has cubic functions (see
+/// cubic_bricks.h), displacements are FE_Q(3), and the geometry is that of the quadratic brick.
 ///
 /// Shape functions are computed again for each integral, so that no memory grows with the number of cells.
 class FiniteElements {

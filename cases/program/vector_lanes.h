@@ -18,7 +18,8 @@
 
 namespace tiprub {
 
-/// Four doubles that are processed together, in a register of AVX; they may begin at any address.
+/// Four doubles that are processed together, in a register of AVX; they may begin at any address. Not [[gnu::...]]:
+/// GCC 12 drops the alignment of such a type where a template takes it from its argument.
 using Lanes4 = double __attribute__((vector_size(4 * sizeof(double)), aligned(8), may_alias));
 
 TIPRUB_INLINE const Lanes4& lanes4(const double* from) {

@@ -122,7 +122,6 @@ class Reducer {
   /// Only the leader's is whole.
   ReducedModel run(ReductionReport& report) {
     report.sector_dofs = dofs_.sector();
-    report.clamped_face_nodes = dofs_.clamped_face_nodes;
     require_room(report);
     SpinningSector sector(mesh_, dofs_, parameters_);
     report.sector_mass = sector.total_mass();

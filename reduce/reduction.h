@@ -27,8 +27,7 @@ struct ReductionReport {
   int newton_steps = 0;        ///< most of all speeds, with nonlinear prestress
   double newton_residual = 0;  ///< [1] largest of all speeds; see spin_equilibrium()
   int sector_dofs = 0;
-  double sector_mass = 0;  ///< [kg]
-  int clamped_face_nodes = 0;
+  double sector_mass = 0;    ///< [kg]
   double memory_needed = 0;  ///< [bytes] estimated
   FactorMethod factor_method = FactorMethod::cholmod;
   double memory_by_cholmod = 0;       ///< [bytes] that it would need

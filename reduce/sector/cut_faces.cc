@@ -54,7 +54,6 @@ int sectors_of(double angle) {
 struct Pairing {
   int sector_count = 0;
   std::vector<int> partners;  ///< of cyclic_low; -1 where there is none
-  double mismatch = 0;        ///< [m] largest
 
   std::ptrdiff_t alone() const { return std::count(partners.begin(), partners.end(), -1); }
   bool holds(const SectorMesh& mesh) const {
@@ -79,7 +78,6 @@ Pairing pair(const SectorMesh& mesh, double tolerance, double angle) {
         nearest = gap;
         partner = at->second;
       }
-    found.mismatch = std::max(found.mismatch, partner < 0 ? 0.0 : nearest);
     found.partners.push_back(partner);
   }
   return found;
@@ -88,7 +86,7 @@ Pairing pair(const SectorMesh& mesh, double tolerance, double angle) {
 /// With the angle between the faces, if that is a whole fraction of a turn; else nothing pairs.
 Pairing pair(const SectorMesh& mesh, double tolerance) {
   const int sector_count = sectors_of(angle_between_faces(mesh));
-  Pairing found = {0, std::vector<int>(mesh.cyclic_low.size(), -1), 0};
+  Pairing found = {0, std::vector<int>(mesh.cyclic_low.size(), -1)};
   if (sector_count > 0) found = pair(mesh, tolerance, 2 * std::numbers::pi / sector_count);
   found.sector_count = sector_count;
   return found;
@@ -210,7 +208,6 @@ void pair_cut_faces(SectorMesh& mesh, double tolerance) {
   }
   mesh.sector_count = found.sector_count;
   mesh.cyclic_high = std::move(found.partners);
-  mesh.pairing_mismatch = found.mismatch;
 }
 
 void require_whole_cuts(const SectorMesh& mesh) {

@@ -123,7 +123,6 @@ SectorDofs number_dofs(const SectorMesh& mesh, const std::vector<int>& contact) 
     for (const int node : *face)
       if (places[node] != Place::clamped) number(node);
   dofs.face = (next - dofs.interior) / 2;
-  dofs.clamped_face_nodes = static_cast<int>(mesh.cyclic_low.size()) - dofs.face / 3;
   for (const int node : contact) number(node);
   dofs.contact_loads.resize(dofs.sector(), dofs.boundary());
   for (int k = 0; k < dofs.boundary(); ++k) dofs.contact_loads.insert(dofs.sector() - dofs.boundary() + k, k) = 1.0;

@@ -17,11 +17,10 @@ namespace tiprub::reduce {
 /// c, b). Displacements are in cylindrical components at every node: partners on the cut faces then differ by a phase
 /// only.
 struct SectorDofs {
-  std::vector<int> first;      ///< of each mesh node: its r-dof; theta and z follow; -1 if clamped
-  std::vector<int> contact;    ///< the chosen contact nodes, leading to trailing edge; none with segments
-  int interior = 0;            ///< number of dofs off the cut faces and the contact nodes
-  int face = 0;                ///< number of dofs of one cut face
-  int clamped_face_nodes = 0;  ///< nodes of the lower cut face that belong to the clamp
+  std::vector<int> first;    ///< of each mesh node: its r-dof; theta and z follow; -1 if clamped
+  std::vector<int> contact;  ///< the chosen contact nodes, leading to trailing edge; none with segments
+  int interior = 0;          ///< number of dofs off the cut faces and the contact nodes
+  int face = 0;              ///< number of dofs of one cut face
   /// B: the loads of unit forces on the contact unknowns, r, theta, z of each; their displacements are q = B' u. With
   /// nodes, these are the nodes' dofs; with segments, B is on interior dofs. Sector x contact dofs.
   Eigen::SparseMatrix<double> contact_loads;

@@ -59,7 +59,6 @@ struct SectorMesh {
   std::map<std::string, std::vector<int>> parts;   ///< cells of `disc`, `main_blade`, `splitter`, where present
   std::shared_ptr<const SectorMatrices> matrices;  ///< of a sector given by its matrices, which has no cells
   std::shared_ptr<const CubicFunctions> cubic;     ///< of bricks of the third degree; none with quadratic cells
-  double pairing_mismatch = 0;                     ///< [m] largest distance between partners on the cut faces
 
   int node_count() const { return static_cast<int>(nodes.cols()); }
   /// Nodes of the file, which come first.

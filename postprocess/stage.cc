@@ -15,7 +15,7 @@
 #include "cases/program/text.h"
 #include "postprocess/analysis/input_check.h"
 #include "postprocess/compare/comparison.h"
-#include "postprocess/fields/other_model_stress.h"
+#include "postprocess/fields/node_stress.h"
 #include "postprocess/figures/drawing.h"
 #include "postprocess/figures/study_figures.h"
 #include "postprocess/records/study_records.h"

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 
+#include "postprocess/fields/field_study.h"
 #include "postprocess/figures/maps.h"
 #include "postprocess/records/error_budget_record.h"
 #include "postprocess/records/exactness_record.h"
 #include "postprocess/records/speeds_to_avoid.h"
 #include "postprocess/records/study_records.h"
-#include "postprocess/records/utilisation.h"
 #include "postprocess/tables/packing.h"
 #include "postprocess/tables/table.h"
 

@@ -8,8 +8,7 @@
 #include <set>
 
 #include "mesh/cells/cell_kind.h"
-#include "postprocess/fields/blade_place.h"
-#include "postprocess/fields/wheel_surface.h"
+#include "postprocess/fields/sector_geometry.h"
 #include "postprocess/tables/packing.h"
 #include "postprocess/tables/table.h"
 

@@ -7,8 +7,7 @@
 #include <set>
 
 #include "cases/program/errors.h"
-#include "postprocess/fields/blade_place.h"
-#include "postprocess/fields/wheel_surface.h"
+#include "postprocess/fields/sector_geometry.h"
 
 namespace tiprub::postprocess {
 

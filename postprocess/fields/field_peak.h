@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "postprocess/analysis/postprocess_parameters.h"
-#include "postprocess/fields/blade_place.h"
 #include "postprocess/fields/cycle_stress.h"
+#include "postprocess/fields/sector_geometry.h"
 #include "reduce/model/fields_file.h"
 
 namespace tiprub::postprocess {

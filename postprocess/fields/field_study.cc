@@ -2,6 +2,7 @@
 #include "postprocess/fields/field_study.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -12,9 +13,7 @@
 #include "cases/program/errors.h"
 #include "cases/program/signal_cleanup.h"
 #include "postprocess/fields/node_stress.h"
-#include "postprocess/fields/other_model_stress.h"
 #include "postprocess/fields/sector_stress.h"
-#include "postprocess/fields/stress_between.h"
 #include "postprocess/fields/stress_over_speed.h"
 #include "postprocess/tables/table.h"
 #include "reduce/model/reduced_model.h"
@@ -348,6 +347,30 @@ FieldResults field_results(const std::optional<FieldStudy>& fields, const std::v
       results.varied[i] = fields->varied[k];
     }
   return results;
+}
+
+Eigen::VectorXd utilisation_over_speed(const Study& study, const FieldResults& fields) {
+  Eigen::VectorXd utilisation = fields.utilisation;
+  if (utilisation.size() == 0) return utilisation;
+  const auto take = [&](const std::optional<FieldPeak>& peak, Eigen::Index index) {
+    if (peak && peak->cycle && peak->cycle->goodman) utilisation[index] = *peak->cycle->goodman;
+  };
+  for (std::size_t i = 0; i < study.critical.size(); ++i) take(fields.peaks[i], study.critical[i].index);
+  take(fields.of_no_critical, study.amplitudes.worst());
+  return utilisation;
+}
+
+std::optional<std::size_t> worst_critical(const Study& study, const FieldResults& fields) {
+  const Eigen::VectorXd utilisation = utilisation_over_speed(study, fields);
+  const auto severity = [&](std::size_t i) {
+    const CriticalSpeed& peak = study.critical[i];
+    return std::array{utilisation.size() > 0 ? utilisation[peak.index] : 0.0,
+                      fields.peaks[i] ? fields.peaks[i]->body.vibration : 0.0, peak.amplitude};
+  };
+  std::optional<std::size_t> worst;
+  for (std::size_t i = 0; i < study.critical.size(); ++i)
+    if (!worst || severity(i) > severity(*worst)) worst = i;
+  return worst;
 }
 
 }  // namespace tiprub::postprocess

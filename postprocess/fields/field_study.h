@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Dense>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +11,7 @@
 #include "postprocess/fields/field_peak.h"
 #include "postprocess/fields/field_recovery.h"
 #include "postprocess/fields/natural_modes.h"
-#include "postprocess/fields/stress_between.h"
+#include "postprocess/fields/stress_over_speed.h"
 #include "postprocess/fields/wheel_cycle.h"
 
 namespace tiprub::postprocess {
@@ -74,5 +75,13 @@ struct FieldResults {
 
 /// Without `fields`, all peaks are empty.
 FieldResults field_results(const std::optional<FieldStudy>& fields, const std::vector<CriticalSpeed>& critical);
+
+/// [1] Goodman's utilisation at every speed of the response: that of the cycle where one was recovered, elsewhere the
+/// estimate FieldResults::utilisation; empty without that.
+Eigen::VectorXd utilisation_over_speed(const Study& study, const FieldResults& fields);
+
+/// The critical speed with the largest utilisation; of those of equal or no utilisation, that with the largest stress
+/// of the vibration; without any stress, that with the largest amplitude. Nothing if no speed is critical.
+std::optional<std::size_t> worst_critical(const Study& study, const FieldResults& fields);
 
 }  // namespace tiprub::postprocess

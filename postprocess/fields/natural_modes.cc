@@ -7,8 +7,8 @@
 #include <set>
 
 #include "mesh/cells/cell_kind.h"
-#include "postprocess/fields/blade_place.h"
 #include "postprocess/fields/cell_stress.h"
+#include "postprocess/fields/sector_geometry.h"
 #include "postprocess/waves/aliasing.h"
 #include "reduce/model/dense_eigen.h"
 

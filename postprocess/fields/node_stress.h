@@ -10,6 +10,7 @@
 #include "postprocess/fields/field_peak.h"
 #include "postprocess/fields/wheel_cycle.h"
 #include "reduce/model/fields_file.h"
+#include "simulate/response/response.h"
 
 namespace tiprub::postprocess {
 
@@ -42,5 +43,21 @@ using LargestStress = std::function<double(const WheelCycle&)>;
 /// cycle, so that a cycle then takes no field of the sector.
 LargestStress largest_stress(const NodeStress& stress, const FieldsReader& reader,
                              const std::vector<int>& nodal_diameters);
+
+/// Checks that the fields are of the model that the error budgets of the response compare with ([simulate]
+/// budget_model); a response without critical speeds has no budgets. Raises InputError if they are not, or if a cell
+/// has no stress.
+void check_budget_fields(const FieldsReader& other, const Response& response);
+
+/// The nodes in the body of another mesh of the same sector whose nearest node in `sector` is one of `nodes`;
+/// ascending.
+std::vector<int> nodes_near(const std::vector<int>& nodes, const SectorFields& sector, const SectorFields& other,
+                            const StressZones& zones_of_other);
+
+/// The stress over the cycles of varied peaks that were marched with another model, near `nodes` of the sector.
+/// Raises InputError if the other mesh has no node there.
+LargestStress stress_of_other_model(const FieldsReader& other, const SectorFields& sector,
+                                    const std::vector<int>& nodes, const StressZones& zones,
+                                    const SimulatedScene& scene);
 
 }  // namespace tiprub::postprocess

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "postprocess/fields/field_study.h"
-#include "postprocess/fields/wheel_surface.h"
+#include "postprocess/fields/sector_geometry.h"
 #include "postprocess/figures/axes.h"
 #include "postprocess/figures/figure.h"
 #include "postprocess/records/error_budget_record.h"
@@ -15,19 +15,18 @@
 
 namespace tiprub::postprocess {
 
+// One builder for each figure; the captions in figures.json say what is drawn and how. Those of maps are in maps.h.
+
+// sector.cc
 /// The closed outlines of the area that some faces cover in the meridional plane; r, z [m], 2 x points. Edges of
 /// faces are bent at their middle nodes. Pieces with less than a ten-thousandth of the largest area are left out.
 std::vector<Eigen::Matrix2Xd> meridional_outline(const Eigen::Matrix3Xd& nodes,
                                                  const std::vector<SurfaceFace>& faces);
-
 /// Paper, fig. 2; `clearance` [m] as the case gives it, by contact node.
 Figure meridional_section_figure(const SectorFields& sector, const ContactLine& line,
                                  const Eigen::VectorXd& clearance);
-
 /// What each cell contributes to the error of the mesh, on the sector's surface; needs these numbers.
 Figure mesh_error_figure(const FieldStudy& fields);
-
-// One builder for each figure; the captions in figures.json say what is drawn and how. Those of maps are in maps.h.
 
 // over_speed.cc
 /// Tip amplitude over speed, peaks labelled.
@@ -49,10 +48,6 @@ Figure engine_order_tracking_figure(const SpeedFrame& frame, const InteractionMa
 Figure campbell_figure(const SpeedFrame& frame, const LinearRules& rules);  ///< paper, fig. 8
 /// At rest, at the shown speed and at the lowest critical one (paper, figs. 4, 13).
 Figure interference_figure(const SpeedFrame& frame, double shown_speed, int asked_families);
-
-// error_budget.cc
-/// Of one critical speed, in its own units.
-Figure error_budget_figure(const ErrorBudget& budget);
 
 // motion.cc
 /// A signal of all sectors at the speed that is shown.
@@ -78,6 +73,10 @@ Figure contact_map_figure(const SpeedFrame& frame, TipEdge edge, const ContactMa
                           const std::string& of_blade);
 /// Paper, fig. 21.
 Figure casing_figure(const SimulatedScene& scene, const SpeedResponse& shown, const ContactLine& contact);
+
+// study_figures.cc
+/// Of one critical speed, in its own units.
+Figure error_budget_figure(const ErrorBudget& budget);
 
 // The figures of a report in the order of its page. Most of them are study_figures(), which need no full fields and
 // can be drawn while these are recovered.

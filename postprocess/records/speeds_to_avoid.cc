@@ -5,9 +5,9 @@
 #include <array>
 #include <iterator>
 
+#include "postprocess/fields/field_study.h"
 #include "postprocess/records/error_budget_record.h"
 #include "postprocess/records/study_records.h"
-#include "postprocess/records/utilisation.h"
 #include "postprocess/tables/table.h"
 
 namespace tiprub::postprocess {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "postprocess/analysis/other_motions.h"
-#include "postprocess/records/utilisation.h"
+#include "postprocess/fields/field_study.h"
 #include "postprocess/tables/table.h"
 #include "simulate/response/speed_numbers.h"
 

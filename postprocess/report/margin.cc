@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/report/margin.h"
+#include "postprocess/report/verdict.h"
 
 #include <algorithm>
 #include <optional>
 
+#include "postprocess/fields/field_study.h"
 #include "postprocess/records/exactness_record.h"
-#include "postprocess/records/utilisation.h"
 #include "postprocess/tables/table.h"
 
 namespace tiprub::postprocess {

@@ -7,6 +7,7 @@
 #include "postprocess/analysis/study.h"
 #include "postprocess/fields/field_study.h"
 #include "postprocess/records/scene_needs_record.h"
+#include "postprocess/records/speeds_to_avoid.h"
 
 namespace tiprub::postprocess {
 
@@ -25,6 +26,10 @@ std::string printed_critical_speeds(const Study& study, const FieldResults& fiel
 /// Whether the speeds are too far apart, how bad the worst speed is, where and why, how far it is from the operating
 /// range, which checks passed, and which effects matter although they are left out.
 std::vector<Answer> verdict(const Study& study, const FieldResults& fields, const std::vector<SceneNeed>& needs);
+
+/// The margin of the operating range to the nearest critical speeds, and what is known of the range itself; or that
+/// the case gives no operating range. `bands`: all speeds to avoid.
+std::string margin_text(const Study& study, const FieldResults& fields, const std::vector<AvoidedBand>& bands);
 
 /// The scene in a few words: lobes, clearance, interference, damping, march, speeds.
 std::vector<Answer> scene_in_brief(const Study& study);

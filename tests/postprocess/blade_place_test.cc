@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/fields/blade_place.h"
+#include "postprocess/fields/sector_geometry.h"
 
 #include <gtest/gtest.h>
 

@@ -11,8 +11,8 @@
 
 #include "mesh/cells/cell_kind.h"
 #include "postprocess/fields/field_vtu.h"
-#include "postprocess/fields/other_model_stress.h"
-#include "postprocess/fields/wheel_surface.h"
+#include "postprocess/fields/node_stress.h"
+#include "postprocess/fields/sector_geometry.h"
 #include "postprocess/tables/table.h"
 #include "reduce/model/nodal_diameter.h"
 

@@ -7,9 +7,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "postprocess/fields/field_study.h"
 #include "postprocess/records/error_budget_record.h"
-#include "postprocess/records/utilisation.h"
-#include "postprocess/report/margin.h"
 #include "postprocess/report/verdict.h"
 #include "postprocess/tables/table.h"
 #include "synthetic_scene.h"

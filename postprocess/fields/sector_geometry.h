@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/cells/free_faces.h"
 #include "reduce/model/fields_file.h"
 
 namespace tiprub::postprocess {
@@ -50,5 +51,19 @@ class BladePlaces {
   std::map<std::string, std::pair<double, double>>
       length_ends_;  ///< [1] a blade's first and last length among the lines
 };
+
+/// A face on the surface, and on which side of the sector it lies.
+struct SurfaceFace : FreeFace {
+  enum class Side { free, cyclic_low, cyclic_high };
+
+  Side side = Side::free;
+
+  int corners() const { return static_cast<int>(FreeFace::corners()); }
+};
+
+/// The surface of a sector; the faces on the cut planes are marked.
+std::vector<SurfaceFace> sector_surface(const SectorFields& sector);
+/// The surface of some of its cells.
+std::vector<SurfaceFace> surface_of_cells(const SectorFields& sector, const std::vector<int>& cells);
 
 }  // namespace tiprub::postprocess

@@ -127,6 +127,15 @@ Samples samples_of(const Response& response, const Eigen::VectorXd& amplitude) {
   return samples;
 }
 
+void largest_first(std::vector<WaveLabel>& waves) {
+  std::ranges::stable_sort(waves, std::greater(), &WaveLabel::amplitude);
+}
+
+/// "EO 10 ND 0 48 %"
+std::string with_share(const WaveLabel& wave, const CriticalSpeed& critical) {
+  return wave_name(wave) + " " + fixed(percent * wave.amplitude / critical.amplitude, 0) + " %";
+}
+
 }  // namespace
 
 std::optional<double> CriticalSpeed::spacing_over_half_width() const {
@@ -140,19 +149,6 @@ std::optional<double> CriticalSpeed::spacing_over_half_width() const {
 double CriticalSpeed::amplitude_slack() const {
   return amplitude > 0 ? std::max(amplitude_high - amplitude, amplitude - amplitude_low) / amplitude : 0;
 }
-
-namespace {
-
-void largest_first(std::vector<WaveLabel>& waves) {
-  std::ranges::stable_sort(waves, std::greater(), &WaveLabel::amplitude);
-}
-
-/// "EO 10 ND 0 48 %"
-std::string with_share(const WaveLabel& wave, const CriticalSpeed& critical) {
-  return wave_name(wave) + " " + fixed(percent * wave.amplitude / critical.amplitude, 0) + " %";
-}
-
-}  // namespace
 
 std::vector<WaveLabel> CriticalSpeed::waves_beside() const {
   std::vector<WaveLabel> waves = {rising};

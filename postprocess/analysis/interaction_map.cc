@@ -8,6 +8,45 @@
 
 namespace tiprub::postprocess {
 
+namespace {
+
+double part(const MapColumn& column, int engine_order, Eigen::Index nodal_diameter) {
+  const Eigen::Index line = static_cast<Eigen::Index>(engine_order) * column.spectrum.revolutions;
+  return line < column.parts.rows() ? column.parts(line, nodal_diameter) : 0.0;
+}
+
+/// `amplitude(column, k)` for each speed, and `count` curves.
+template <class Amplitude>
+HarmonicTracking tracked(const InteractionMap& map, Eigen::Index count, const Amplitude& amplitude) {
+  HarmonicTracking tracking{Eigen::MatrixXd(static_cast<Eigen::Index>(map.columns.size()), count), {}};
+  for (Eigen::Index i = 0; i < tracking.curves.rows(); ++i)
+    for (Eigen::Index k = 0; k < count; ++k)
+      tracking.curves(i, k) = amplitude(map.columns[static_cast<std::size_t>(i)], k);
+  tracking.mean = tracking.curves.rowwise().mean();
+  return tracking;
+}
+
+/// Peaks over speed (see find_peaks()) of every wave on the whole engine orders 1 .. engine_order_max, except those
+/// that are too small for the maps' colours.
+std::vector<Ridge> find_ridges(const InteractionMap& map, const FrequencyCurves& curves, int sector_count,
+                               const PostprocessParameters& parameters) {
+  const double floor = map.largest() * std::pow(10.0, -parameters.amplitude_decades);
+  std::vector<Ridge> ridges;
+  for (int order = 1; order <= parameters.engine_order_max; ++order)
+    for (int column = 0; column < sector_count; ++column) {
+      const int n = signed_nodal_diameter(column, sector_count);
+      const Eigen::VectorXd curve = map.wave(order, n);
+      for (const Peak& peak : find_peaks(curve, parameters.prominence)) {
+        if (curve[peak.index] < floor) continue;
+        const double speed = map.columns[static_cast<std::size_t>(peak.index)].speed;
+        ridges.push_back({speed, label_wave(curves, sector_count, speed, order, n, curve[peak.index])});
+      }
+    }
+  return ridges;
+}
+
+}  // namespace
+
 InteractionMap interaction_map(const Response& response, const ContactLine& contact, int node, Component component) {
   InteractionMap map;
   map.node = node;
@@ -60,26 +99,6 @@ double subharmonic_share(const TravellingSpectrum& spectrum) {
   return all > 0 ? fractional / all : 0.0;
 }
 
-namespace {
-
-double part(const MapColumn& column, int engine_order, Eigen::Index nodal_diameter) {
-  const Eigen::Index line = static_cast<Eigen::Index>(engine_order) * column.spectrum.revolutions;
-  return line < column.parts.rows() ? column.parts(line, nodal_diameter) : 0.0;
-}
-
-/// `amplitude(column, k)` for each speed, and `count` curves.
-template <class Amplitude>
-HarmonicTracking tracked(const InteractionMap& map, Eigen::Index count, const Amplitude& amplitude) {
-  HarmonicTracking tracking{Eigen::MatrixXd(static_cast<Eigen::Index>(map.columns.size()), count), {}};
-  for (Eigen::Index i = 0; i < tracking.curves.rows(); ++i)
-    for (Eigen::Index k = 0; k < count; ++k)
-      tracking.curves(i, k) = amplitude(map.columns[static_cast<std::size_t>(i)], k);
-  tracking.mean = tracking.curves.rowwise().mean();
-  return tracking;
-}
-
-}  // namespace
-
 HarmonicTracking nodal_diameter_tracking(const InteractionMap& map, int engine_order) {
   return tracked(map, map.columns.empty() ? 0 : map.columns.front().parts.cols(),
                  [&](const MapColumn& column, Eigen::Index n) { return part(column, engine_order, n); });
@@ -91,29 +110,6 @@ HarmonicTracking engine_order_tracking(const InteractionMap& map, int nodal_diam
     return part(column, engine_orders[static_cast<std::size_t>(k)], nodal_diameter);
   });
 }
-
-namespace {
-
-/// Peaks over speed (see find_peaks()) of every wave on the whole engine orders 1 .. engine_order_max, except those
-/// that are too small for the maps' colours.
-std::vector<Ridge> find_ridges(const InteractionMap& map, const FrequencyCurves& curves, int sector_count,
-                               const PostprocessParameters& parameters) {
-  const double floor = map.largest() * std::pow(10.0, -parameters.amplitude_decades);
-  std::vector<Ridge> ridges;
-  for (int order = 1; order <= parameters.engine_order_max; ++order)
-    for (int column = 0; column < sector_count; ++column) {
-      const int n = signed_nodal_diameter(column, sector_count);
-      const Eigen::VectorXd curve = map.wave(order, n);
-      for (const Peak& peak : find_peaks(curve, parameters.prominence)) {
-        if (curve[peak.index] < floor) continue;
-        const double speed = map.columns[static_cast<std::size_t>(peak.index)].speed;
-        ridges.push_back({speed, label_wave(curves, sector_count, speed, order, n, curve[peak.index])});
-      }
-    }
-  return ridges;
-}
-
-}  // namespace
 
 WaveMaps wave_maps(const Response& response, const ContactLine& contact, const FrequencyCurves& curves,
                    const PostprocessParameters& parameters) {

@@ -96,6 +96,38 @@ DrawnRange speed_axis_of_both(const ReportNumbers& here, const ReportNumbers& ot
       .widened();
 }
 
+/// "a, b and c"
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
+  return text;
+}
+
+/// Reports with and without stresses have only the amplitude in common.
+const ComparedPeak& largest_of(const std::vector<ComparedPeak>& peaks) {
+  return *std::ranges::max_element(peaks, {}, &ComparedPeak::amplitude);
+}
+
+std::string peak_text(const ComparedPeak& peak) {
+  return fixed(peak.amplitude, 3) + " mm at " + fixed(peak.speed, 0) + " rpm (" + wave_of(peak) + ")";
+}
+
+std::string signed_percent(double ratio) {
+  return (ratio < 1 ? "" : "+") + fixed(percent * (ratio - 1), 1) + " %";
+}
+
+/// Speeds that only one of the two has move and lower the peaks between them.
+std::string grids_text(const ReportNumbers& here, const ReportNumbers& other) {
+  constexpr double same_speed = 1e-9;
+  const bool same = here.speed.size() == other.speed.size() && here.speed.isApprox(other.speed, same_speed);
+  return same ? ""
+              : " The speeds differ: " + std::to_string(here.speed.size()) + " from " + fixed(here.speed[0], 0) +
+                    " to " + fixed(here.speed.tail<1>()[0], 0) + " rpm here, " + std::to_string(other.speed.size()) +
+                    " from " + fixed(other.speed[0], 0) + " to " + fixed(other.speed.tail<1>()[0], 0) +
+                    " rpm there. A peak between speeds that are far apart is lower and elsewhere for that alone.";
+}
+
 }  // namespace
 
 Table comparison_record(const ReportNumbers& this_one, const ReportNumbers& other) {
@@ -138,42 +170,6 @@ Table comparison_record(const ReportNumbers& this_one, const std::vector<ReportN
   }
   return all;
 }
-
-namespace {
-
-/// "a, b and c"
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
-  return text;
-}
-
-/// Reports with and without stresses have only the amplitude in common.
-const ComparedPeak& largest_of(const std::vector<ComparedPeak>& peaks) {
-  return *std::ranges::max_element(peaks, {}, &ComparedPeak::amplitude);
-}
-
-std::string peak_text(const ComparedPeak& peak) {
-  return fixed(peak.amplitude, 3) + " mm at " + fixed(peak.speed, 0) + " rpm (" + wave_of(peak) + ")";
-}
-
-std::string signed_percent(double ratio) {
-  return (ratio < 1 ? "" : "+") + fixed(percent * (ratio - 1), 1) + " %";
-}
-
-/// Speeds that only one of the two has move and lower the peaks between them.
-std::string grids_text(const ReportNumbers& here, const ReportNumbers& other) {
-  constexpr double same_speed = 1e-9;
-  const bool same = here.speed.size() == other.speed.size() && here.speed.isApprox(other.speed, same_speed);
-  return same ? ""
-              : " The speeds differ: " + std::to_string(here.speed.size()) + " from " + fixed(here.speed[0], 0) +
-                    " to " + fixed(here.speed.tail<1>()[0], 0) + " rpm here, " + std::to_string(other.speed.size()) +
-                    " from " + fixed(other.speed[0], 0) + " to " + fixed(other.speed.tail<1>()[0], 0) +
-                    " rpm there. A peak between speeds that are far apart is lower and elsewhere for that alone.";
-}
-
-}  // namespace
 
 std::string comparison_in_words(const ReportNumbers& here, const ReportNumbers& other) {
   const bool comparable = are_comparable(here, other);

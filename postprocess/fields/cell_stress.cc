@@ -19,39 +19,6 @@ constexpr double flat = 1e-12;  // Jacobian determinant, of its norm cubed: roun
 constexpr std::size_t most_points = 27;
 constexpr std::size_t interleaved = 4;  // real and imaginary parts of two displacements
 
-}  // namespace
-
-CellStress::CellStress(const SectorFields& sector)
-    : cells_(sector.cells),
-      lambda_(sector.young * sector.poisson / ((1 + sector.poisson) * (1 - 2 * sector.poisson))),
-      mu_(sector.young / (2 * (1 + sector.poisson))),
-      gradient_(static_cast<std::size_t>(sector.cells.cols())),
-      cells_at_node_(Eigen::VectorXi::Zero(sector.nodes.cols())),
-      volumes_(Eigen::VectorXd::Zero(sector.cells.cols())) {
-  std::map<int, std::vector<Gradient>> references;  // by number of nodes, then point
-  for (const CellKind& kind : all_cell_kinds())
-    for (const ReferencePoint& point : kind.stress_points)
-      references[kind.nodes()].push_back(kind.gradient(point.at));
-  for (Eigen::Index cell = 0; cell < cells_.cols(); ++cell) {
-    const auto nodes = nodes_of(cells_, cell);
-    for (const int node : nodes) ++cells_at_node_[node];
-    const Eigen::Matrix3Xd place = sector.nodes(Eigen::all, nodes);
-    const CellKind& kind = cell_kind(static_cast<int>(nodes.size()));
-    const std::vector<Gradient>& reference = references[kind.nodes()];
-    Eigen::MatrixXd& gradient = gradient_[static_cast<std::size_t>(cell)];
-    gradient.resize(nodes.size(), 3 * static_cast<Eigen::Index>(reference.size()));
-    for (std::size_t g = 0; g < reference.size(); ++g) {
-      const Eigen::Matrix3d jacobian = place * reference[g];  // dx/dxi
-      gradient.middleCols<3>(3 * static_cast<Eigen::Index>(g)) = reference[g] * jacobian.inverse();
-      volumes_[cell] += kind.stress_points[g].weight * jacobian.determinant();
-      const bool sound = jacobian.determinant() > flat * std::pow(jacobian.norm(), 3);
-      if (!sound && !degenerate_) degenerate_ = cell;
-    }
-  }
-}
-
-namespace {
-
 /// A cell of CellStress. Matrices lie column after column.
 struct CellInMemory {
   const int* node;
@@ -94,7 +61,49 @@ void add_cell(const CellInMemory& cell, const double* displacement, double* stre
 /// How complex numbers lie in memory.
 using RealAndImaginary = Eigen::Matrix<double, 2, Eigen::Dynamic>;
 
+/// R sigma R' on the six components; R turns x towards y.
+Eigen::Matrix<double, 6, 6> turning(double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
+  matrix.row(0) << c * c, s * s, 0, -2 * c * s, 0, 0;
+  matrix.row(1) << s * s, c * c, 0, 2 * c * s, 0, 0;
+  matrix(2, 2) = 1;
+  matrix.row(3) << c * s, -c * s, 0, c * c - s * s, 0, 0;
+  matrix.row(4) << 0, 0, 0, 0, c, s;
+  matrix.row(5) << 0, 0, 0, 0, -s, c;
+  return matrix;
+}
+
 }  // namespace
+
+CellStress::CellStress(const SectorFields& sector)
+    : cells_(sector.cells),
+      lambda_(sector.young * sector.poisson / ((1 + sector.poisson) * (1 - 2 * sector.poisson))),
+      mu_(sector.young / (2 * (1 + sector.poisson))),
+      gradient_(static_cast<std::size_t>(sector.cells.cols())),
+      cells_at_node_(Eigen::VectorXi::Zero(sector.nodes.cols())),
+      volumes_(Eigen::VectorXd::Zero(sector.cells.cols())) {
+  std::map<int, std::vector<Gradient>> references;  // by number of nodes, then point
+  for (const CellKind& kind : all_cell_kinds())
+    for (const ReferencePoint& point : kind.stress_points)
+      references[kind.nodes()].push_back(kind.gradient(point.at));
+  for (Eigen::Index cell = 0; cell < cells_.cols(); ++cell) {
+    const auto nodes = nodes_of(cells_, cell);
+    for (const int node : nodes) ++cells_at_node_[node];
+    const Eigen::Matrix3Xd place = sector.nodes(Eigen::all, nodes);
+    const CellKind& kind = cell_kind(static_cast<int>(nodes.size()));
+    const std::vector<Gradient>& reference = references[kind.nodes()];
+    Eigen::MatrixXd& gradient = gradient_[static_cast<std::size_t>(cell)];
+    gradient.resize(nodes.size(), 3 * static_cast<Eigen::Index>(reference.size()));
+    for (std::size_t g = 0; g < reference.size(); ++g) {
+      const Eigen::Matrix3d jacobian = place * reference[g];  // dx/dxi
+      gradient.middleCols<3>(3 * static_cast<Eigen::Index>(g)) = reference[g] * jacobian.inverse();
+      volumes_[cell] += kind.stress_points[g].weight * jacobian.determinant();
+      const bool sound = jacobian.determinant() > flat * std::pow(jacobian.norm(), 3);
+      if (!sound && !degenerate_) degenerate_ = cell;
+    }
+  }
+}
 
 std::array<ComplexTensors, 2> CellStress::sums(const Eigen::Matrix3Xcd& one, const Eigen::Matrix3Xcd& other) const {
   Eigen::Matrix<double, interleaved, Eigen::Dynamic> displacement(interleaved, one.size()),
@@ -135,23 +144,6 @@ Eigen::VectorXd von_mises(const Tensors& stress) {
       .sqrt()
       .transpose();
 }
-
-namespace {
-
-/// R sigma R' on the six components; R turns x towards y.
-Eigen::Matrix<double, 6, 6> turning(double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
-  matrix.row(0) << c * c, s * s, 0, -2 * c * s, 0, 0;
-  matrix.row(1) << s * s, c * c, 0, 2 * c * s, 0, 0;
-  matrix(2, 2) = 1;
-  matrix.row(3) << c * s, -c * s, 0, c * c - s * s, 0, 0;
-  matrix.row(4) << 0, 0, 0, 0, c, s;
-  matrix.row(5) << 0, 0, 0, 0, -s, c;
-  return matrix;
-}
-
-}  // namespace
 
 ComplexTensors turned(const ComplexTensors& tensors, double angle) {
   return turning(angle) * tensors;

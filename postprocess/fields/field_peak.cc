@@ -40,6 +40,33 @@ std::set<int> clamp_edge(const SectorFields& sector) {
   return edge;
 }
 
+StressMaxima maxima_of(StressZone zone, const StressZones& zones, const CycleStress& stress) {
+  const auto largest = [&](const Eigen::VectorXd& values) {
+    const Eigen::Index node = largest_in(zone, zones, values);
+    return node < 0 ? 0.0 : values[node];
+  };
+  return {largest(stress.vibration), largest(stress.spin), largest(stress.both)};
+}
+
+StressCycle worst_cycle(const CycleStress& stress, const StressZones& zones, const BladePlaces& places,
+                        const std::optional<MaterialStrength>& strength) {
+  StressCycle worst;
+  double most = -1;
+  for (Eigen::Index h = 0; h < stress.mean.cols(); ++h) {
+    Eigen::VectorXd severity = stress.alternating.col(h);
+    if (strength)
+      for (Eigen::Index node = 0; node < severity.size(); ++node)
+        severity[node] = goodman_utilisation(*strength, severity[node], stress.mean(node, h));
+    const Eigen::Index node = largest_in(StressZone::body, zones, severity);
+    if (severity[node] <= most) continue;
+    most = severity[node];
+    worst = {stress.mean(node, h), stress.alternating(node, h), places.words(static_cast<int>(node)), std::nullopt,
+             strength};
+  }
+  if (strength) worst.goodman = most;
+  return worst;
+}
+
 }  // namespace
 
 double tip_length(const SectorFields& sector) {
@@ -80,37 +107,6 @@ Eigen::Index largest_in(StressZone zone, const StressZones& zones, const Eigen::
       largest = node;
   return largest;
 }
-
-namespace {
-
-StressMaxima maxima_of(StressZone zone, const StressZones& zones, const CycleStress& stress) {
-  const auto largest = [&](const Eigen::VectorXd& values) {
-    const Eigen::Index node = largest_in(zone, zones, values);
-    return node < 0 ? 0.0 : values[node];
-  };
-  return {largest(stress.vibration), largest(stress.spin), largest(stress.both)};
-}
-
-StressCycle worst_cycle(const CycleStress& stress, const StressZones& zones, const BladePlaces& places,
-                        const std::optional<MaterialStrength>& strength) {
-  StressCycle worst;
-  double most = -1;
-  for (Eigen::Index h = 0; h < stress.mean.cols(); ++h) {
-    Eigen::VectorXd severity = stress.alternating.col(h);
-    if (strength)
-      for (Eigen::Index node = 0; node < severity.size(); ++node)
-        severity[node] = goodman_utilisation(*strength, severity[node], stress.mean(node, h));
-    const Eigen::Index node = largest_in(StressZone::body, zones, severity);
-    if (severity[node] <= most) continue;
-    most = severity[node];
-    worst = {stress.mean(node, h), stress.alternating(node, h), places.words(static_cast<int>(node)), std::nullopt,
-             strength};
-  }
-  if (strength) worst.goodman = most;
-  return worst;
-}
-
-}  // namespace
 
 double allowed_alternating(const StressCycle& cycle) {
   return cycle.strength->endurance * std::max(0.0, 1 - cycle.mean / cycle.strength->ultimate);

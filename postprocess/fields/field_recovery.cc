@@ -25,21 +25,6 @@ Eigen::Matrix3d rotation(double angle) {
   return Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
-}  // namespace
-
-Eigen::Matrix3Xcd cartesian(const SectorFields& sector, const Eigen::VectorXcd& cylindrical) {
-  Eigen::Matrix3Xcd displacement(3, sector.nodes.cols());
-  for (Eigen::Index node = 0; node < sector.nodes.cols(); ++node) {
-    const double x = sector.nodes(0, node), y = sector.nodes(1, node), r = std::sqrt(x * x + y * y);
-    const double cosine = r > 0 ? x / r : 1.0, sine = r > 0 ? y / r : 0.0;
-    const auto moved = cylindrical.segment<3>(3 * node);
-    displacement.col(node) << cosine * moved[0] - sine * moved[1], sine * moved[0] + cosine * moved[1], moved[2];
-  }
-  return displacement;
-}
-
-namespace {
-
 /// `stress`: summed over the cells of this sector.
 void average(const SectorFields& sector, const CellStress& bricks, int nodal_diameter, ComplexTensors& stress) {
   const double alpha = sector_angle(1, sector.sector_count);
@@ -58,6 +43,17 @@ void average(const SectorFields& sector, const CellStress& bricks, int nodal_dia
 }
 
 }  // namespace
+
+Eigen::Matrix3Xcd cartesian(const SectorFields& sector, const Eigen::VectorXcd& cylindrical) {
+  Eigen::Matrix3Xcd displacement(3, sector.nodes.cols());
+  for (Eigen::Index node = 0; node < sector.nodes.cols(); ++node) {
+    const double x = sector.nodes(0, node), y = sector.nodes(1, node), r = std::sqrt(x * x + y * y);
+    const double cosine = r > 0 ? x / r : 1.0, sine = r > 0 ? y / r : 0.0;
+    const auto moved = cylindrical.segment<3>(3 * node);
+    displacement.col(node) << cosine * moved[0] - sine * moved[1], sine * moved[0] + cosine * moved[1], moved[2];
+  }
+  return displacement;
+}
 
 void add_stress(const SectorFields& sector, const CellStress& bricks, std::span<WaveField> waves) {
   std::atomic<std::size_t> next = 0;

@@ -254,6 +254,17 @@ void recover_instant(const SpeedResponse& response, const SectorStress& sector, 
   fields.force = snapshot.force;
 }
 
+std::string scope_of(const std::optional<FieldStudy>& fields) {
+  const std::string what = "displacement and stress on the whole wheel: ";
+  if (!fields) return what + "left out, no fields.h5 was given (--fields)";
+  const auto is_cycle = [](const FieldPeak& peak) { return peak.cycle.has_value(); };
+  if (std::any_of(fields->peaks.begin(), fields->peaks.end(), is_cycle))
+    return what + "over all recorded samples of the critical speeds, by linear elasticity";
+  return what + (fields->has_instant ? "at the sample with the largest contact force, by linear elasticity; the "
+                                       "response holds no whole cycle"
+                                     : "modes only, the response holds no state of the rotor; simulate it again");
+}
+
 }  // namespace
 
 void check_fields(const FieldsReader& reader, const ReducedModel& model) {
@@ -296,21 +307,6 @@ FieldStudy recover_fields(const FieldsReader& reader, const FieldsReader* other,
                                       spin_field(fields.sector, bricks, study.range.high), strength);
   return fields;
 }
-
-namespace {
-
-std::string scope_of(const std::optional<FieldStudy>& fields) {
-  const std::string what = "displacement and stress on the whole wheel: ";
-  if (!fields) return what + "left out, no fields.h5 was given (--fields)";
-  const auto is_cycle = [](const FieldPeak& peak) { return peak.cycle.has_value(); };
-  if (std::any_of(fields->peaks.begin(), fields->peaks.end(), is_cycle))
-    return what + "over all recorded samples of the critical speeds, by linear elasticity";
-  return what + (fields->has_instant ? "at the sample with the largest contact force, by linear elasticity; the "
-                                       "response holds no whole cycle"
-                                     : "modes only, the response holds no state of the rotor; simulate it again");
-}
-
-}  // namespace
 
 bool FieldResults::has_stress() const {
   return std::any_of(peaks.begin(), peaks.end(), [](const auto& peak) { return peak.has_value(); });

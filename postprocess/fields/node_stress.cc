@@ -90,6 +90,16 @@ double largest_at(const std::vector<RealFactors>& stress, const std::vector<int>
   return largest;
 }
 
+constexpr double nearby = 0.3;  // of the largest radius; more than the distance of two nodes
+
+void require_dofs(const FieldsReader& other, const RotorCycle& cycle, const SimulatedScene& scene) {
+  for (std::size_t i = 0; i < cycle.displacement.size(); ++i)
+    if (const int n = scene.nodal_diameters[i]; cycle.displacement[i].rows() != other.dofs(n))
+      throw InputError(other.path() + ": has " + std::to_string(other.dofs(n)) + " dofs at nodal diameter " +
+                       std::to_string(n) + ", and the states of the response have " +
+                       std::to_string(cycle.displacement[i].rows()) + "; one of both files is damaged");
+}
+
 }  // namespace
 
 std::vector<int> nodes_above(double least, const CycleStress& stress, const StressZones& zones) {
@@ -153,20 +163,6 @@ LargestStress largest_stress(const NodeStress& stress, const FieldsReader& reade
     return largest;
   };
 }
-
-namespace {
-
-constexpr double nearby = 0.3;  // of the largest radius; more than the distance of two nodes
-
-void require_dofs(const FieldsReader& other, const RotorCycle& cycle, const SimulatedScene& scene) {
-  for (std::size_t i = 0; i < cycle.displacement.size(); ++i)
-    if (const int n = scene.nodal_diameters[i]; cycle.displacement[i].rows() != other.dofs(n))
-      throw InputError(other.path() + ": has " + std::to_string(other.dofs(n)) + " dofs at nodal diameter " +
-                       std::to_string(n) + ", and the states of the response have " +
-                       std::to_string(cycle.displacement[i].rows()) + "; one of both files is damaged");
-}
-
-}  // namespace
 
 void check_budget_fields(const FieldsReader& other, const Response& response) {
   bool budgeted = false, varied = false;

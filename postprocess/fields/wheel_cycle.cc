@@ -85,6 +85,25 @@ WheelCycle without_repeats(const Motion& motion, const SimulatedScene& scene, co
   return cycle;
 }
 
+void destroy(fftw_plan_s* plan) {
+  const std::lock_guard lock(planning);
+  fftw_destroy_plan(plan);
+}
+
+/// Adds the waves of one nodal diameter. If it stands, its states are real, and both signs of k are one wave.
+void add_waves(std::vector<RotorWave>& waves, const Eigen::MatrixXcd& lines, int nodal_diameter, int revolutions,
+               bool stands, const Eigen::MatrixXcd& mass) {
+  const auto samples = static_cast<int>(lines.cols());
+  for (int m = 0; m < samples; ++m) {
+    const int k = 2 * m > samples ? m - samples : m;
+    if (stands && k < 0) continue;
+    const double both_signs = stands && k > 0 && 2 * k != samples ? 2 : 1, time_mean = stands && k == 0 ? 1 : 0.5;
+    RotorWave wave{nodal_diameter, static_cast<double>(k) / revolutions, 0, both_signs * lines.col(m)};
+    wave.share = time_mean * wave.state.dot(mass * wave.state).real();
+    waves.push_back(std::move(wave));
+  }
+}
+
 }  // namespace
 
 int WheelCycle::histories() const {
@@ -146,15 +165,6 @@ WheelCycle of_fewer_states(WheelCycle cycle, const std::vector<Eigen::MatrixXcd>
   return cycle;
 }
 
-namespace {
-
-void destroy(fftw_plan_s* plan) {
-  const std::lock_guard lock(planning);
-  fftw_destroy_plan(plan);
-}
-
-}  // namespace
-
 Eigen::MatrixXcd fourier_lines(Eigen::MatrixXcd states, int first_sample) {
   const auto dofs = static_cast<int>(states.rows()), samples = static_cast<int>(states.cols());
   Eigen::MatrixXcd lines(dofs, samples);
@@ -172,24 +182,6 @@ Eigen::MatrixXcd fourier_lines(Eigen::MatrixXcd states, int first_sample) {
   }
   return lines;
 }
-
-namespace {
-
-/// Adds the waves of one nodal diameter. If it stands, its states are real, and both signs of k are one wave.
-void add_waves(std::vector<RotorWave>& waves, const Eigen::MatrixXcd& lines, int nodal_diameter, int revolutions,
-               bool stands, const Eigen::MatrixXcd& mass) {
-  const auto samples = static_cast<int>(lines.cols());
-  for (int m = 0; m < samples; ++m) {
-    const int k = 2 * m > samples ? m - samples : m;
-    if (stands && k < 0) continue;
-    const double both_signs = stands && k > 0 && 2 * k != samples ? 2 : 1, time_mean = stands && k == 0 ? 1 : 0.5;
-    RotorWave wave{nodal_diameter, static_cast<double>(k) / revolutions, 0, both_signs * lines.col(m)};
-    wave.share = time_mean * wave.state.dot(mass * wave.state).real();
-    waves.push_back(std::move(wave));
-  }
-}
-
-}  // namespace
 
 WheelMotion wheel_motion(const SpeedResponse& response, const SimulatedScene& scene, const ReducedModel& model,
                          double left_out, std::size_t most) {

@@ -21,6 +21,13 @@ DrawnRange axis_of(const Eigen::VectorXd& rpm) {
   return DrawnRange{rpm[0] - 0.5 * (rpm[1] - rpm[0]), rpm[last] + 0.5 * (rpm[last] - rpm[last - 1])}.widened();
 }
 
+Eigen::VectorXd outside_validity(const Study& study) {
+  std::vector<double> outside;
+  for (std::size_t i = 0; i < study.gap.size(); ++i)
+    if (study.gap[i].beyond()) outside.push_back(study.response.speeds[i].speed * rpm_per_rad_s);
+  return as_column(outside);
+}
+
 }  // namespace
 
 Eigen::VectorXd rpm_of(const std::vector<SpeedResponse>& speeds) {
@@ -54,17 +61,6 @@ Eigen::VectorXi nearest_speeds(const Eigen::VectorXd& speeds, const Eigen::Vecto
 int SpeedFrame::families_at(int nodal_diameter) const {
   return std::min(families, curves.families(nodal_diameter));
 }
-
-namespace {
-
-Eigen::VectorXd outside_validity(const Study& study) {
-  std::vector<double> outside;
-  for (std::size_t i = 0; i < study.gap.size(); ++i)
-    if (study.gap[i].beyond()) outside.push_back(study.response.speeds[i].speed * rpm_per_rad_s);
-  return as_column(outside);
-}
-
-}  // namespace
 
 SpeedFrame speed_frame(const Study& study) {
   const Eigen::VectorXd rpm = rpm_of(study.response.speeds);

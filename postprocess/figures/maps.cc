@@ -136,6 +136,43 @@ Table ridge_table(const std::vector<Ridge>& ridges) {
   return table;
 }
 
+int drawn_lines(const SpeedFrame& frame, const MapColumn& column) {
+  return std::min(column.spectrum.lines() - 1, frame.engine_order_max * column.spectrum.revolutions);
+}
+
+/// Frequency [Hz], amplitude [mm]: each line of the spectrum that can be seen, as a narrow triangle.
+Eigen::MatrixXd outline(const SpeedFrame& frame, const MapColumn& column, double largest) {
+  constexpr double seen = 2e-3;  // of the largest amplitude; a fifth of a pixel
+  const double hz_per_order = column.speed * hz_per_rad_s;
+  const double half_width = line_half_width(column.spectrum) * hz_per_order;
+  std::vector<double> frequencies = {0}, amplitudes = {0};
+  for (int line = 1; line <= drawn_lines(frame, column); ++line) {
+    if (column.total[line] < seen * largest) continue;
+    const double frequency = column.spectrum.engine_order(line) * hz_per_order;
+    frequencies.insert(frequencies.end(), {frequency - half_width, frequency, frequency + half_width});
+    amplitudes.insert(amplitudes.end(), {0, column.total[line] * mm_per_m, 0});
+  }
+  frequencies.push_back(map_frequency_high(frame));
+  amplitudes.push_back(0);
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(frequencies.size()), 2);
+  rows << as_column(frequencies), as_column(amplitudes);
+  return rows;
+}
+
+/// The columns that the waterfall shows, the lowest speed first: of all in one of `slots` equal ranges of speed, the
+/// one with the largest line. Where speeds lie close together, spectra would only hide each other.
+std::vector<const MapColumn*> apart(const SpeedFrame& frame, const InteractionMap& map, int slots) {
+  std::vector<const MapColumn*> chosen(static_cast<std::size_t>(slots), nullptr);
+  for (const MapColumn& column : map.columns) {
+    const double place = (column.speed * rpm_per_rad_s - frame.axis.low) / (frame.axis.high - frame.axis.low);
+    const long slot = std::lround(std::clamp(place, 0.0, 1.0) * (slots - 1));
+    const MapColumn*& best = chosen[static_cast<std::size_t>(slot)];
+    if (best == nullptr || column.total.maxCoeff() > best->total.maxCoeff()) best = &column;
+  }
+  std::erase(chosen, nullptr);
+  return chosen;
+}
+
 }  // namespace
 
 double map_frequency_high(const SpeedFrame& frame) {
@@ -216,47 +253,6 @@ Figure interaction_map_parts_figure(const SpeedFrame& frame, const MapFrame& axe
                                 {"panel_title", titles}});
   return figure;
 }
-
-namespace {
-
-int drawn_lines(const SpeedFrame& frame, const MapColumn& column) {
-  return std::min(column.spectrum.lines() - 1, frame.engine_order_max * column.spectrum.revolutions);
-}
-
-/// Frequency [Hz], amplitude [mm]: each line of the spectrum that can be seen, as a narrow triangle.
-Eigen::MatrixXd outline(const SpeedFrame& frame, const MapColumn& column, double largest) {
-  constexpr double seen = 2e-3;  // of the largest amplitude; a fifth of a pixel
-  const double hz_per_order = column.speed * hz_per_rad_s;
-  const double half_width = line_half_width(column.spectrum) * hz_per_order;
-  std::vector<double> frequencies = {0}, amplitudes = {0};
-  for (int line = 1; line <= drawn_lines(frame, column); ++line) {
-    if (column.total[line] < seen * largest) continue;
-    const double frequency = column.spectrum.engine_order(line) * hz_per_order;
-    frequencies.insert(frequencies.end(), {frequency - half_width, frequency, frequency + half_width});
-    amplitudes.insert(amplitudes.end(), {0, column.total[line] * mm_per_m, 0});
-  }
-  frequencies.push_back(map_frequency_high(frame));
-  amplitudes.push_back(0);
-  Eigen::MatrixXd rows(static_cast<Eigen::Index>(frequencies.size()), 2);
-  rows << as_column(frequencies), as_column(amplitudes);
-  return rows;
-}
-
-/// The columns that the waterfall shows, the lowest speed first: of all in one of `slots` equal ranges of speed, the
-/// one with the largest line. Where speeds lie close together, spectra would only hide each other.
-std::vector<const MapColumn*> apart(const SpeedFrame& frame, const InteractionMap& map, int slots) {
-  std::vector<const MapColumn*> chosen(static_cast<std::size_t>(slots), nullptr);
-  for (const MapColumn& column : map.columns) {
-    const double place = (column.speed * rpm_per_rad_s - frame.axis.low) / (frame.axis.high - frame.axis.low);
-    const long slot = std::lround(std::clamp(place, 0.0, 1.0) * (slots - 1));
-    const MapColumn*& best = chosen[static_cast<std::size_t>(slot)];
-    if (best == nullptr || column.total.maxCoeff() > best->total.maxCoeff()) best = &column;
-  }
-  std::erase(chosen, nullptr);
-  return chosen;
-}
-
-}  // namespace
 
 Figure waterfall_figure(const SpeedFrame& frame, const InteractionMap& map) {
   constexpr int slots = 48;

@@ -147,6 +147,42 @@ double sum_over_sources(const ErrorBudget& budget, BudgetRows rows, Value value)
   return std::sqrt(sum);
 }
 
+template <class Condition>
+std::string sources_of(const ErrorBudget& budget, Condition condition) {
+  std::string text;
+  for (const BudgetRow& row : budget.rows)
+    if (condition(row)) text += (text.empty() ? "" : ", ") + row.source;
+  return text;
+}
+
+/// "friction 0.1 (-2.9 %)", "damping 0.002 (+2044 %, joins 19622 rpm)": the row that changes a value most; empty
+/// without rows.
+template <class Value>
+std::string largest_text(const ErrorBudget* budget, Value value) {
+  if (budget == nullptr) return "no budget";
+  const BudgetRow& row = largest(*budget, value);
+  const std::string joined =
+      row.joined == nullptr ? "" : ", joins " + fixed(row.joined->speed * rpm_per_rad_s, 0) + " rpm";
+  return row.source + " (" + change_text(std::invoke(value, row)) + joined + ")";
+}
+
+std::string largest_stress_text(const ErrorBudget* budget) {
+  const std::string missing = budget == nullptr ? "" : not_in_stress_sum(*budget);
+  return largest_text(budget, stress_change) + (missing.empty() ? "" : ", without " + missing);
+}
+
+std::string stress_text(const std::optional<FieldPeak>& stress) {
+  if (!stress) return "";
+  return (stress->cycle ? "" : "> ") + fixed(stress->body.vibration * mpa_per_pa, 0) + " / " +
+         fixed(stress->body.both * mpa_per_pa, 0);
+}
+
+std::string goodman_text(const std::optional<FieldPeak>& stress) {
+  if (!stress || !stress->cycle || !stress->cycle->goodman) return "";
+  const double utilisation = *stress->cycle->goodman;
+  return fixed(utilisation, 2) + (utilisation > 1 ? " > 1" : "");
+}
+
 }  // namespace
 
 std::vector<ErrorBudget> error_budgets(const Study& study, const FieldResults& fields) {
@@ -185,18 +221,6 @@ BudgetSum sum_of(const ErrorBudget& budget, BudgetRows rows) {
           sum([](const BudgetRow& row) { return std::max(0.0, stress_change(row)); })};
 }
 
-namespace {
-
-template <class Condition>
-std::string sources_of(const ErrorBudget& budget, Condition condition) {
-  std::string text;
-  for (const BudgetRow& row : budget.rows)
-    if (condition(row)) text += (text.empty() ? "" : ", ") + row.source;
-  return text;
-}
-
-}  // namespace
-
 std::string not_in_sum(const ErrorBudget& budget, BudgetRows rows) {
   return sources_of(budget, [&](const BudgetRow& row) { return !row.failure.empty() && row.is_among(rows); });
 }
@@ -205,38 +229,6 @@ std::string not_in_stress_sum(const ErrorBudget& budget) {
   if (budget.stress == 0) return "";
   return sources_of(budget, [](const BudgetRow& row) { return !row.motion.empty() && row.in_sum() && !row.stress; });
 }
-
-namespace {
-
-/// "friction 0.1 (-2.9 %)", "damping 0.002 (+2044 %, joins 19622 rpm)": the row that changes a value most; empty
-/// without rows.
-template <class Value>
-std::string largest_text(const ErrorBudget* budget, Value value) {
-  if (budget == nullptr) return "no budget";
-  const BudgetRow& row = largest(*budget, value);
-  const std::string joined =
-      row.joined == nullptr ? "" : ", joins " + fixed(row.joined->speed * rpm_per_rad_s, 0) + " rpm";
-  return row.source + " (" + change_text(std::invoke(value, row)) + joined + ")";
-}
-
-std::string largest_stress_text(const ErrorBudget* budget) {
-  const std::string missing = budget == nullptr ? "" : not_in_stress_sum(*budget);
-  return largest_text(budget, stress_change) + (missing.empty() ? "" : ", without " + missing);
-}
-
-std::string stress_text(const std::optional<FieldPeak>& stress) {
-  if (!stress) return "";
-  return (stress->cycle ? "" : "> ") + fixed(stress->body.vibration * mpa_per_pa, 0) + " / " +
-         fixed(stress->body.both * mpa_per_pa, 0);
-}
-
-std::string goodman_text(const std::optional<FieldPeak>& stress) {
-  if (!stress || !stress->cycle || !stress->cycle->goodman) return "";
-  const double utilisation = *stress->cycle->goodman;
-  return fixed(utilisation, 2) + (utilisation > 1 ? " > 1" : "");
-}
-
-}  // namespace
 
 Table critical_speed_budgets(const Study& study, const FieldResults& fields) {
   Table table{

@@ -46,6 +46,15 @@ double rubbed_share(const SpeedResponse& response, const SimulatedScene& scene, 
   return static_cast<double>(rubbed.count()) / static_cast<double>(areas);
 }
 
+constexpr int more_modes = 20;  // above the one asked for, with which it couples
+
+/// [1] The nodes' shares of a cell's volume: the integrals of the shape functions over the reference cell.
+Eigen::VectorXd node_weights(const CellKind& kind) {
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(kind.nodes());
+  for (const ReferencePoint& point : kind.integration) weights += point.weight * kind.shape(point.at);
+  return weights / weights.sum();
+}
+
 }  // namespace
 
 std::optional<SlidingShare> sliding_share(const SpeedResponse& response, const SimulatedScene& scene,
@@ -101,19 +110,6 @@ Eigen::VectorXd tip_spans(const SectorFields& sector) {
       }
   return spans;
 }
-
-namespace {
-
-constexpr int more_modes = 20;  // above the one asked for, with which it couples
-
-/// [1] The nodes' shares of a cell's volume: the integrals of the shape functions over the reference cell.
-Eigen::VectorXd node_weights(const CellKind& kind) {
-  Eigen::VectorXd weights = Eigen::VectorXd::Zero(kind.nodes());
-  for (const ReferencePoint& point : kind.integration) weights += point.weight * kind.shape(point.at);
-  return weights / weights.sum();
-}
-
-}  // namespace
 
 Eigen::VectorXd gyroscopic_frequencies(const Eigen::VectorXd& modes, const Eigen::MatrixXcd& coupling, double speed) {
   const Eigen::Index n = modes.size();

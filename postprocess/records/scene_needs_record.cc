@@ -254,6 +254,13 @@ Cell size_cell(Effect effect, const std::optional<double>& size) {
   return *size * (std::string_view(meaning_of(effect).unit) == "m" ? mm_per_m : 1.0);
 }
 
+/// What matters first, then what nobody knows; within each the largest size over its tolerance first.
+bool comes_first(const SceneNeed& a, const SceneNeed& b) {
+  constexpr std::array rank = {4, 3, 0, 1, 2};  // of NeedVerdict's values
+  const int of_a = rank[static_cast<std::size_t>(a.verdict)], of_b = rank[static_cast<std::size_t>(b.verdict)];
+  return of_a != of_b ? of_a < of_b : a.over_tolerance() > b.over_tolerance();
+}
+
 }  // namespace
 
 std::vector<SceneNeed> scene_needs(const Study& study, const FieldEffects& fields) {
@@ -302,17 +309,6 @@ std::string name_with_unit(Effect effect) {
   return std::string(meaning.words) +
          (*meaning.measure == '\0' ? "" : std::string(": ") + meaning.measure + " [" + unit + "]");
 }
-
-namespace {
-
-/// What matters first, then what nobody knows; within each the largest size over its tolerance first.
-bool comes_first(const SceneNeed& a, const SceneNeed& b) {
-  constexpr std::array rank = {4, 3, 0, 1, 2};  // of NeedVerdict's values
-  const int of_a = rank[static_cast<std::size_t>(a.verdict)], of_b = rank[static_cast<std::size_t>(b.verdict)];
-  return of_a != of_b ? of_a < of_b : a.over_tolerance() > b.over_tolerance();
-}
-
-}  // namespace
 
 double SceneNeed::over_tolerance() const {
   if (!effect.size || !effect.tolerance || *effect.size == 0) return 0;

@@ -114,32 +114,6 @@ std::vector<AvoidedBand> stressed(const Study& study, const std::vector<BudgetSu
   return bands_where(study, changes, concern, [&](Eigen::Index k) { return utilisation[k] > limit; });
 }
 
-}  // namespace
-
-const char* name_of(Concern concern) {
-  constexpr std::array<const char*, concerns> names = {"tip moves beyond the clearance", "Goodman above 0.5",
-                                                       "Goodman perhaps above 1", "Goodman above 1"};
-  return names[static_cast<std::size_t>(concern)];
-}
-
-std::vector<AvoidedBand> speeds_to_avoid(const Study& study, const FieldResults& fields) {
-  const std::vector<BudgetSum> changes = open_changes(study, fields);
-  const Eigen::VectorXd utilisation = utilisation_over_speed(study, fields);
-  const std::array<std::vector<AvoidedBand>, concerns> by_gravity = {
-      stressed(study, changes, utilisation, 1.0, Concern::above_limit),
-      perhaps_stressed(study, changes, utilisation, 1.0),
-      stressed(study, changes, utilisation, 0.5, Concern::above_half), beyond_clearance(study, changes)};
-  std::vector<AvoidedBand> all;
-  for (const std::vector<AvoidedBand>& bands : by_gravity) {
-    const std::vector<AvoidedBand> graver = all;
-    for (const AvoidedBand& band : joined(bands)) add_outside(band, graver, all);
-    std::ranges::sort(all, {}, [](const AvoidedBand& band) { return band.speeds.low; });
-  }
-  return all;
-}
-
-namespace {
-
 std::string widening_text(double widening) {
   return widening > 0 ? significant(percent * widening, 2) + " % at each end by the error budget"
                       : "not widened without an error budget";
@@ -192,6 +166,28 @@ std::string concerns_of(const std::vector<AvoidedBand>& touching) {
 }
 
 }  // namespace
+
+const char* name_of(Concern concern) {
+  constexpr std::array<const char*, concerns> names = {"tip moves beyond the clearance", "Goodman above 0.5",
+                                                       "Goodman perhaps above 1", "Goodman above 1"};
+  return names[static_cast<std::size_t>(concern)];
+}
+
+std::vector<AvoidedBand> speeds_to_avoid(const Study& study, const FieldResults& fields) {
+  const std::vector<BudgetSum> changes = open_changes(study, fields);
+  const Eigen::VectorXd utilisation = utilisation_over_speed(study, fields);
+  const std::array<std::vector<AvoidedBand>, concerns> by_gravity = {
+      stressed(study, changes, utilisation, 1.0, Concern::above_limit),
+      perhaps_stressed(study, changes, utilisation, 1.0),
+      stressed(study, changes, utilisation, 0.5, Concern::above_half), beyond_clearance(study, changes)};
+  std::vector<AvoidedBand> all;
+  for (const std::vector<AvoidedBand>& bands : by_gravity) {
+    const std::vector<AvoidedBand> graver = all;
+    for (const AvoidedBand& band : joined(bands)) add_outside(band, graver, all);
+    std::ranges::sort(all, {}, [](const AvoidedBand& band) { return band.speeds.low; });
+  }
+  return all;
+}
 
 std::string reason_of(const AvoidedBand& band) {
   return std::string(name_of(band.concern)) + ", " + widening_text(band.widening);

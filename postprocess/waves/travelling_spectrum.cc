@@ -21,6 +21,11 @@ Eigen::RowVector3d direction_of(const ContactLine& contact, int node, Component 
                                   static_cast<Eigen::Index>(Component::radial));
 }
 
+/// a_m of the header: 2 for a line that stands for its mirror image too.
+double mirror_factor(Eigen::Index line, Eigen::Index samples) {
+  return line == 0 || 2 * line == samples ? 1.0 : 2.0;
+}
+
 }  // namespace
 
 Eigen::MatrixXd tip_motion(const SpeedResponse& response, const SimulatedScene& scene, const ContactLine& contact,
@@ -47,15 +52,6 @@ double vibration_amplitude(const Eigen::MatrixXd& motion) {
   if (motion.size() == 0) return 0.0;
   return 0.5 * (motion.colwise().maxCoeff() - motion.colwise().minCoeff()).maxCoeff();
 }
-
-namespace {
-
-/// a_m of the header: 2 for a line that stands for its mirror image too.
-double mirror_factor(Eigen::Index line, Eigen::Index samples) {
-  return line == 0 || 2 * line == samples ? 1.0 : 2.0;
-}
-
-}  // namespace
 
 TravellingSpectrum travelling_spectrum(const Eigen::MatrixXd& motion, int revolutions) {
   assert(motion.size() > 0 && revolutions >= 1);

@@ -33,46 +33,33 @@ std::vector<PeakWave> waves_of(const TravellingSpectrum& here, const TravellingS
       const int n = signed_nodal_diameter(column, here.sector_count);
       waves.push_back({order, n, amplitude, amplitude - std::max(left.at(order, n), right.at(order, n))});
     }
-  std::stable_sort(waves.begin(), waves.end(),
-                   [](const PeakWave& a, const PeakWave& b) { return a.amplitude > b.amplitude; });
+  std::ranges::stable_sort(waves, std::greater(), &PeakWave::amplitude);
   return waves;
 }
 
-/// Reads the waves of a peak at the node that moves most.
-class PeakReader {
- public:
-  PeakReader(const Response& response, const ContactLine& contact, const FrequencyCurves& curves, Component component)
-      : response_(response), contact_(contact), curves_(curves), component_(component) {}
-
-  void name_waves(CriticalSpeed& critical, const Peak& peak) const {
-    const auto spectrum = [&](Eigen::Index speed) {
-      const SpeedResponse& response = response_.speeds[static_cast<std::size_t>(speed)];
-      return travelling_spectrum(tip_motion(response, response_.scene, contact_, critical.node, component_),
-                                 response.recorded_revolutions);
-    };
-    const std::vector<PeakWave> waves =
-        waves_of(spectrum(peak.index), spectrum(peak.left_valley), spectrum(peak.right_valley));
-    if (waves.empty()) return;
-    const auto label = [&](const PeakWave& wave) {
-      return label_wave(curves_, response_.scene.sector_count, critical.speed, wave.engine_order,
-                        wave.signed_nodal_diameter, wave.amplitude);
-    };
-    const auto rising = std::max_element(waves.begin(), waves.end(),
-                                         [](const PeakWave& a, const PeakWave& b) { return a.rise < b.rise; });
-    critical.rising = label(*rising);
-    critical.largest = label(waves.front());
-    for (auto wave = waves.begin(); wave != waves.end() && critical.others.size() < most_others; ++wave) {
-      if (wave->amplitude < large_wave * waves.front().amplitude) break;
-      if (wave != rising) critical.others.push_back(label(*wave));
-    }
+/// Names the waves of a peak, at the node that moves most.
+void name_waves(CriticalSpeed& critical, const Peak& peak, const Response& response, const ContactLine& contact,
+                const FrequencyCurves& curves, Component component) {
+  const auto spectrum = [&](Eigen::Index index) {
+    const SpeedResponse& speed = response.speeds[static_cast<std::size_t>(index)];
+    return travelling_spectrum(tip_motion(speed, response.scene, contact, critical.node, component),
+                               speed.recorded_revolutions);
+  };
+  const std::vector<PeakWave> waves =
+      waves_of(spectrum(peak.index), spectrum(peak.left_valley), spectrum(peak.right_valley));
+  if (waves.empty()) return;
+  const auto label = [&](const PeakWave& wave) {
+    return label_wave(curves, response.scene.sector_count, critical.speed, wave.engine_order,
+                      wave.signed_nodal_diameter, wave.amplitude);
+  };
+  const auto rising = std::ranges::max_element(waves, {}, &PeakWave::rise);
+  critical.rising = label(*rising);
+  critical.largest = label(waves.front());
+  for (auto wave = waves.begin(); wave != waves.end() && critical.others.size() < most_others; ++wave) {
+    if (wave->amplitude < large_wave * waves.front().amplitude) break;
+    if (wave != rising) critical.others.push_back(label(*wave));
   }
-
- private:
-  const Response& response_;
-  const ContactLine& contact_;
-  const FrequencyCurves& curves_;
-  Component component_;
-};
+}
 
 constexpr double even_top = 0.02;       // of a peak's amplitude: tops that are that close can't be told apart
 constexpr double most_of_range = 0.65;  // an interval that spans it locates nothing
@@ -194,7 +181,6 @@ TipAmplitudes tip_amplitudes(const Response& response, const ContactLine& contac
 std::vector<CriticalSpeed> critical_speeds(const Response& response, const ContactLine& contact,
                                            const TipAmplitudes& amplitudes, const FrequencyCurves& curves,
                                            const PostprocessParameters& parameters) {
-  const PeakReader reader(response, contact, curves, parameters.component);
   std::vector<CriticalSpeed> all;
   const Samples samples = samples_of(response, amplitudes.largest);
   for (const Peak& peak : named_peaks(amplitudes.largest, {.prominence = parameters.prominence})) {
@@ -205,7 +191,7 @@ std::vector<CriticalSpeed> critical_speeds(const Response& response, const Conta
     critical.amplitude = amplitudes.largest[peak.index];
     critical.prominence = peak.prominence;
     critical.node = amplitudes.node[peak.index];
-    reader.name_waves(critical, peak);
+    name_waves(critical, peak, response, contact, curves, parameters.component);
     locate(critical, samples);
     all.push_back(critical);
   }

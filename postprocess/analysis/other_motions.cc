@@ -169,8 +169,7 @@ std::vector<StabilityChange> stability_changes(const std::vector<OrbitBranch>& b
       changes.push_back({branch.speed[i - 1] + along * (branch.speed[i] - branch.speed[i - 1]),
                          instability(branch.multiplier_angle[repels])});
     }
-  std::sort(changes.begin(), changes.end(),
-            [](const auto& one, const auto& other) { return one.speed < other.speed; });
+  std::ranges::sort(changes, {}, &StabilityChange::speed);
   return changes;
 }
 

@@ -92,8 +92,4 @@ std::optional<MaterialStrength> read_material_strength(const CaseFile& file) {
   return read_strength(table);
 }
 
-double goodman_utilisation(const MaterialStrength& strength, double alternating, double mean) {
-  return alternating / strength.endurance + mean / strength.ultimate;
-}
-
 }  // namespace tiprub::postprocess

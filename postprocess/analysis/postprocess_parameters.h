@@ -53,7 +53,10 @@ MaterialStrength read_strength(CaseTable& table);
 /// Nothing without the table.
 std::optional<MaterialStrength> read_material_strength(const CaseFile& file);
 
-/// [1] Goodman: alternating / endurance + mean / ultimate; 1 is the limit.
-double goodman_utilisation(const MaterialStrength& strength, double alternating, double mean);
+/// [1] Goodman: alternating / endurance + mean / ultimate; 1 is the limit. Of a node, or of many.
+template <class Stress>
+Stress goodman_utilisation(const MaterialStrength& strength, const Stress& alternating, const Stress& mean) {
+  return alternating / strength.endurance + mean / strength.ultimate;
+}
 
 }  // namespace tiprub::postprocess

@@ -49,8 +49,7 @@ std::vector<PeakPair> pairs_of(const std::vector<ComparedPeak>& here, const std:
     if (!taken_here[i]) pairs.push_back({here[i], std::nullopt});
   for (std::size_t k = 0; k < there.size(); ++k)
     if (!taken_there[k]) pairs.push_back({std::nullopt, there[k]});
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [](const PeakPair& a, const PeakPair& b) { return a.any().speed < b.any().speed; });
+  std::ranges::stable_sort(pairs, {}, [](const PeakPair& pair) { return pair.any().speed; });
   return pairs;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "postprocess/compare/report_numbers.h"
-#include "postprocess/figures/figure.h"
+#include "postprocess/figures/drawing.h"
 
 namespace tiprub::postprocess {
 

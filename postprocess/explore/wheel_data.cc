@@ -132,10 +132,8 @@ json worst_of(const FieldPeak& peak, const Eigen::Matrix3Xd& nodes) {
 
 json add_motion(PackedArrays& arrays, const std::vector<SpeedResponse>& speeds, const FieldStudy& fields,
                 const MovingWheel& moving, const std::vector<int>& nodes, const std::string& place) {
-  const auto peak = std::find_if(fields.peaks.begin(), fields.peaks.end(),
-                                 [&](const FieldPeak& one) { return one.speed == moving.speed; });
-  const auto at = std::find_if(speeds.begin(), speeds.end(),
-                               [&](const SpeedResponse& speed) { return speed.speed == moving.speed; });
+  const auto peak = std::ranges::find(fields.peaks, moving.speed, &FieldPeak::speed);
+  const auto at = std::ranges::find(speeds, moving.speed, &SpeedResponse::speed);
   json waves = json::array();
   for (std::size_t i = 0; i < moving.waves.size(); ++i) {
     add_wave(arrays, place + "/" + std::to_string(i), moving.waves[i], nodes);

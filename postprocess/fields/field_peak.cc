@@ -54,9 +54,7 @@ StressCycle worst_cycle(const CycleStress& stress, const StressZones& zones, con
   double most = -1;
   for (Eigen::Index h = 0; h < stress.mean.cols(); ++h) {
     Eigen::VectorXd severity = stress.alternating.col(h);
-    if (strength)
-      for (Eigen::Index node = 0; node < severity.size(); ++node)
-        severity[node] = goodman_utilisation(*strength, severity[node], stress.mean(node, h));
+    if (strength) severity = goodman_utilisation<Eigen::VectorXd>(*strength, severity, stress.mean.col(h));
     const Eigen::Index node = largest_in(StressZone::body, zones, severity);
     if (severity[node] <= most) continue;
     most = severity[node];

@@ -219,8 +219,7 @@ void write_motion(const FieldStudy& fields, const MovingWheel& moving, int secto
 }  // namespace
 
 const MovingWheel* moving_at_instant(const FieldStudy& fields) {
-  const auto found = std::find_if(fields.moving.begin(), fields.moving.end(),
-                                  [&](const MovingWheel& moving) { return moving.speed == fields.speed; });
+  const auto found = std::ranges::find(fields.moving, fields.speed, &MovingWheel::speed);
   return fields.has_instant && found != fields.moving.end() && !found->waves.empty() ? &*found : nullptr;
 }
 

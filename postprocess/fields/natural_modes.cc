@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/fields/natural_modes.h"
 
+#include <functional>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -87,8 +88,7 @@ std::vector<std::size_t> disc_modes(const std::vector<ModeShares>& shares, int f
   std::vector<std::size_t> best;
   double most = 0;
   for (auto& [family, modes] : families) {
-    std::stable_sort(modes.begin(), modes.end(),
-                     [&](std::size_t a, std::size_t b) { return disc_share(shares[a]) > disc_share(shares[b]); });
+    std::ranges::stable_sort(modes, std::greater(), [&](std::size_t mode) { return disc_share(shares[mode]); });
     modes.resize(std::min<std::size_t>(2, modes.size()));
     double sum = 0;
     for (const std::size_t mode : modes) sum += disc_share(shares[mode]);

@@ -103,13 +103,12 @@ void require_dofs(const FieldsReader& other, const RotorCycle& cycle, const Simu
 }  // namespace
 
 std::vector<int> nodes_above(double least, const CycleStress& stress, const StressZones& zones) {
-  const auto in_body = [&](int node) { return zones.at_node[static_cast<std::size_t>(node)] == StressZone::body; };
-  double largest = 0;
-  for (int node = 0; node < stress.vibration.size(); ++node)
-    if (in_body(node)) largest = std::max(largest, stress.vibration[node]);
+  const double largest = stress.vibration[largest_in(StressZone::body, zones, stress.vibration)];
   std::vector<int> nodes;
   for (int node = 0; node < stress.vibration.size(); ++node)
-    if (in_body(node) && stress.vibration[node] >= least * largest) nodes.push_back(node);
+    if (zones.at_node[static_cast<std::size_t>(node)] == StressZone::body &&
+        stress.vibration[node] >= least * largest)
+      nodes.push_back(node);
   return nodes;
 }
 

@@ -109,8 +109,7 @@ void BladePlaces::lay_lines(const std::string& blade) {
       root.push_back(meridional(sector_.nodes.col(node)));
   if (tip.size() < 2 || root.size() < 2) return;
   const Eigen::Vector2d onwards = tip.back() - tip.front();
-  std::sort(root.begin(), root.end(),
-            [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.dot(onwards) < b.dot(onwards); });
+  std::ranges::sort(root, {}, [&](const Eigen::Vector2d& place) { return place.dot(onwards); });
   root_ = even_points(root);
   tip_ = even_points(tip);
 }

@@ -64,12 +64,10 @@ std::vector<int> nodes_that_may_matter(const CycleStress& stress, const StressZo
   add_large(stress.both, zones, nodes);
   add_large(stress.displacement, zones, nodes);
   for (Eigen::Index h = 0; h < stress.alternating.cols(); ++h) {
-    Eigen::VectorXd severity = stress.alternating.col(h);
+    const Eigen::VectorXd severity = stress.alternating.col(h);
     add_large(severity, zones, nodes);
     if (!strength) continue;
-    for (Eigen::Index node = 0; node < severity.size(); ++node)
-      severity[node] = goodman_utilisation(*strength, severity[node], stress.mean(node, h));
-    add_large(severity, zones, nodes);
+    add_large(goodman_utilisation<Eigen::VectorXd>(*strength, severity, stress.mean.col(h)), zones, nodes);
   }
   return {nodes.begin(), nodes.end()};
 }

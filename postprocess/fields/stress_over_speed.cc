@@ -207,9 +207,7 @@ std::vector<int> governing_nodes(const CycleStress& stress, const StressZones& z
                                  const std::optional<MaterialStrength>& strength) {
   std::vector<int> nodes = {static_cast<int>(largest_in(StressZone::body, zones, stress.vibration))};
   if (!strength) return nodes;
-  Eigen::VectorXd utilisation(stress.vibration.size());
-  for (Eigen::Index node = 0; node < utilisation.size(); ++node)
-    utilisation[node] = goodman_utilisation(*strength, stress.vibration[node], stress.spin[node]);
+  const Eigen::VectorXd utilisation = goodman_utilisation(*strength, stress.vibration, stress.spin);
   nodes.push_back(static_cast<int>(largest_in(StressZone::body, zones, utilisation)));
   return nodes;
 }
@@ -274,14 +272,12 @@ EstimatedStress estimated_stress(const FieldsReader& reader, const Study& study,
   if (stress.size() == 0) return estimated;
   estimated.vibration = stress.colwise().maxCoeff();
   if (!strength) return estimated;
-  const Eigen::VectorXd of_spin = von_mises(spin.stress.real());
-  estimated.utilisation = Eigen::VectorXd::Zero(stress.cols());
+  const Eigen::VectorXd of_spin = von_mises(spin.stress.real())(nodes);
+  estimated.utilisation.resize(stress.cols());
   for (Eigen::Index k = 0; k < stress.cols(); ++k) {
     const double share = std::pow(study.speed_at(k).speed / study.range.high, 2);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      estimated.utilisation[k] = std::max(
-          estimated.utilisation[k],
-          goodman_utilisation(*strength, stress(static_cast<Eigen::Index>(i), k), share * of_spin[nodes[i]]));
+    estimated.utilisation[k] =
+        goodman_utilisation<Eigen::VectorXd>(*strength, stress.col(k), share * of_spin).maxCoeff();
   }
   return estimated;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/fields/wheel_cycle.h"
 
+#include <functional>
 #include <fftw3.h>
 
 #include <algorithm>
@@ -194,8 +195,7 @@ WheelMotion wheel_motion(const SpeedResponse& response, const SimulatedScene& sc
     add_waves(waves, fourier_lines(cycle.displacement[i], motion.first_sample), n, revolutions,
               is_standing(n, scene.sector_count), model.nodal_diameters[static_cast<std::size_t>(n)].M);
   }
-  std::stable_sort(waves.begin(), waves.end(),
-                   [](const RotorWave& a, const RotorWave& b) { return a.share > b.share; });
+  std::ranges::stable_sort(waves, std::greater(), &RotorWave::share);
   double all = 0;
   for (const RotorWave& wave : waves) all += wave.share;
   for (RotorWave& wave : waves) {

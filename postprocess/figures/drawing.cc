@@ -18,11 +18,15 @@
 #include <list>
 #include <sstream>
 #include <thread>
+#include <nlohmann/json.hpp>
+#include <ostream>
 
 #include "cases/program/errors.h"
 #include "cases/program/signal_cleanup.h"
 #include "embedded/figure_scripts.h"
 #include "postprocess/tables/table.h"
+#include "cases/program/output_file.h"
+#include "embedded/figure_list.h"
 
 namespace fs = std::filesystem;
 
@@ -85,39 +89,6 @@ std::string data_block(const ScriptTable& table) {
   out << "EOD\n" << table.name << "_rows = " << rows << "\n";
   return out.str();
 }
-
-}  // namespace
-
-DrawnRange DrawnRange::widened() const {
-  constexpr double narrowest = 1e-4, smallest = 1e-12;
-  const double least = std::max(narrowest * std::max(std::abs(low), std::abs(high)), smallest);
-  if (high - low >= least) return *this;
-  return low == 0 ? DrawnRange{0, least} : DrawnRange{low - 0.5 * least, high + 0.5 * least};
-}
-
-std::string gnuplot_text(const std::string& text) {
-  std::string quoted = "'";
-  for (const char letter : text) {
-    if (std::strchr("_^{}@&~\\", letter) != nullptr && letter != '\0') quoted += '\\';
-    if (letter == '\'')
-      quoted += R"('."\047".')";  // neither doubled nor as it is: gnuplot 5.4 loses count of either
-    else
-      quoted += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
-  }
-  return quoted + "'";
-}
-
-std::string prologue(const Drawing& drawing) {
-  // Names of files are this program's own, letters and underscores, and need no quoting.
-  std::string text = "name = '" + drawing.name + "'\nscript = '" + drawing.script +
-                     "'\nwidth = " + std::to_string(drawing.width) + "\nheight = " + std::to_string(drawing.height) +
-                     "\n";
-  for (const auto& [name, value] : drawing.values) text += std::visit(Assignment{name}, value);
-  for (const ScriptTable& table : drawing.tables) text += data_block(table);
-  return text + "load 'scripts/draw.gp'\n";
-}
-
-namespace {
 
 constexpr const char* program = "gnuplot";
 constexpr const char* scripts_folder = "scripts";
@@ -251,7 +222,47 @@ class Scripts {
   fs::path folder_;
 };
 
+constexpr int gnuplot_processes = 2;
+
+void write_pixels(const Pixels& pixels, const fs::path& folder) {
+  using RowMajor = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const RowMajor values = pixels.values;
+  write_file(folder / pixels.file, [&](std::ostream& stream) {
+    stream.write(reinterpret_cast<const char*>(values.data()),
+                 static_cast<std::streamsize>(sizeof(float) * static_cast<std::size_t>(values.size())));
+  });
+}
+
 }  // namespace
+
+DrawnRange DrawnRange::widened() const {
+  constexpr double narrowest = 1e-4, smallest = 1e-12;
+  const double least = std::max(narrowest * std::max(std::abs(low), std::abs(high)), smallest);
+  if (high - low >= least) return *this;
+  return low == 0 ? DrawnRange{0, least} : DrawnRange{low - 0.5 * least, high + 0.5 * least};
+}
+
+std::string gnuplot_text(const std::string& text) {
+  std::string quoted = "'";
+  for (const char letter : text) {
+    if (std::strchr("_^{}@&~\\", letter) != nullptr && letter != '\0') quoted += '\\';
+    if (letter == '\'')
+      quoted += R"('."\047".')";  // neither doubled nor as it is: gnuplot 5.4 loses count of either
+    else
+      quoted += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
+  }
+  return quoted + "'";
+}
+
+std::string prologue(const Drawing& drawing) {
+  // Names of files are this program's own, letters and underscores, and need no quoting.
+  std::string text = "name = '" + drawing.name + "'\nscript = '" + drawing.script +
+                     "'\nwidth = " + std::to_string(drawing.width) + "\nheight = " + std::to_string(drawing.height) +
+                     "\n";
+  for (const auto& [name, value] : drawing.values) text += std::visit(Assignment{name}, value);
+  for (const ScriptTable& table : drawing.tables) text += data_block(table);
+  return text + "load 'scripts/draw.gp'\n";
+}
 
 void require_gnuplot() {
   const pid_t child = start(fs::path("/"), "--version", "/dev/null");
@@ -267,6 +278,42 @@ void draw(const std::vector<Drawing>& drawings, const fs::path& folder, int proc
   for (std::vector<const Drawing*>& share : shares)
     jobs.emplace_back(folder, "drawings_" + std::to_string(jobs.size()), std::move(share));
   for (Job& job : jobs) job.finish();
+}
+
+Figure listed_figure(const std::string& name, const std::map<std::string, std::string>& values) {
+  static const nlohmann::json list = nlohmann::json::parse(embedded::figure_list::figures_json, nullptr, true, true);
+  const nlohmann::json& entry = list.at(name);
+  std::string caption;
+  for (const nlohmann::json& line : entry.at("caption"))
+    caption += (caption.empty() ? "" : " ") + line.get<std::string>();
+  const std::string text = filled(entry.at("title").get<std::string>() + "\n" + caption, values);
+  const std::size_t title_end = text.find('\n');
+  return {.drawing = {.name = name,
+                      .width = entry.at("size").at(0),
+                      .height = entry.at("size").at(1),
+                      .script = entry.value("script", name)},
+          .title = text.substr(0, title_end),
+          .caption = text.substr(title_end + 1)};
+}
+
+void set_pixels(Figure& figure, Eigen::MatrixXf values) {
+  figure.drawing.values.insert(figure.drawing.values.end(), {{"pixel_columns", static_cast<int>(values.cols())},
+                                                             {"pixel_rows", static_cast<int>(values.rows())}});
+  figure.pixels.push_back({figure.drawing.name + ".pixels", std::move(values)});
+}
+
+void draw_figures(const std::vector<Figure>& figures, const fs::path& folder) {
+  fs::create_directories(folder);
+  std::vector<Drawing> drawings;
+  for (const Figure& figure : figures) {
+    stop_if_interrupted();
+    write_csv(figure.data, folder / (figure.drawing.name + ".csv"));
+    for (const Pixels& pixels : figure.pixels) write_pixels(pixels, folder);
+    drawings.push_back(figure.drawing);
+  }
+  draw(drawings, folder, gnuplot_processes);
+  for (const Figure& figure : figures)
+    for (const Pixels& pixels : figure.pixels) fs::remove(folder / pixels.file);
 }
 
 }  // namespace tiprub::postprocess

@@ -59,13 +59,6 @@ Eigen::MatrixXf gridded(const InteractionMap& map, const Eigen::VectorXd& failed
   return pixels;
 }
 
-/// [mm] The same as map_pixels() for the part of one nodal diameter.
-Eigen::MatrixXf part_pixels(const InteractionMap& map, int nodal_diameter, const Eigen::VectorXd& failed,
-                            const MapFrame& frame, int columns, int rows) {
-  return gridded(map, failed, frame, columns, rows,
-                 [&](const MapColumn& column, int line) { return column.parts(line, nodal_diameter); });
-}
-
 Table map_table(const SpeedFrame& frame, const InteractionMap& map) {
   Table table{{"speed [rpm]", "frequency [Hz]", "engine order", "total [mm]"}, {}};
   for (int n = 0; n < frame.nodal_diameters(); ++n)
@@ -241,7 +234,8 @@ Figure interaction_map_parts_figure(const SpeedFrame& frame, const MapFrame& axe
   for (const int n : panels) {
     titles.push_back("nodal diameter " + std::to_string(n));
     figure.pixels.push_back({figure.drawing.name + "_" + std::to_string(n) + ".pixels",
-                             part_pixels(waves.first(), n, frame.failed, axes, width, height)});
+                             gridded(waves.first(), frame.failed, axes, width, height,
+                                     [&](const MapColumn& column, int line) { return column.parts(line, n); })});
   }
   figure.drawing.values.insert(figure.drawing.values.end(),
                                {{"pixel_columns", width},

@@ -7,7 +7,7 @@
 
 #include "postprocess/analysis/interaction_map.h"
 #include "postprocess/figures/axes.h"
-#include "postprocess/figures/figure.h"
+#include "postprocess/figures/drawing.h"
 
 namespace tiprub::postprocess {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Motion and force of all sectors at one speed.
+#include <functional>
 #include <algorithm>
 #include <cmath>
 
@@ -94,8 +95,7 @@ void set_waves(Figure& figure, const TravellingSpectrum& spectrum, const Drawn& 
       figure.data.rows.push_back({spectrum.engine_order(line), n, name_of(wave_direction(n, sectors)), amplitude});
     }
   constexpr std::size_t named = 6;
-  std::stable_sort(waves.begin(), waves.end(),
-                   [](const Wave& a, const Wave& b) { return a.amplitude > b.amplitude; });
+  std::ranges::stable_sort(waves, std::greater(), &Wave::amplitude);
   Eigen::MatrixXd rows(static_cast<Eigen::Index>(waves.size()), 3);
   std::vector<std::string> names;
   for (std::size_t i = 0; i < waves.size(); ++i) {

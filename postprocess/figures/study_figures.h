@@ -8,7 +8,7 @@
 #include "postprocess/fields/field_study.h"
 #include "postprocess/fields/sector_geometry.h"
 #include "postprocess/figures/axes.h"
-#include "postprocess/figures/figure.h"
+#include "postprocess/figures/drawing.h"
 #include "postprocess/records/error_budget_record.h"
 #include "postprocess/records/speeds_to_avoid.h"
 #include "reduce/model/reduced_model.h"

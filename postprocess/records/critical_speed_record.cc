@@ -186,18 +186,14 @@ PeakColumns cycle_columns() {
       stress_column("both over yield [1]", [](const FieldPeak& peak) { return optional_cell(peak.yield_share); })};
 }
 
-Cell kilowatts(const std::optional<double>& power) {
-  constexpr double kw_per_w = 1e-3;
-  return power ? Cell(*power * kw_per_w) : Cell(std::string());
-}
-
 PeakColumns friction_columns() {
+  constexpr double kw_per_w = 1e-3;
   const auto load = [](const PeakRow& peak) -> const FrictionLoad& {
     return peak.study.response.speeds[static_cast<std::size_t>(peak.critical.index)].friction;
   };
   return {
-      {"rub power, mean [kW]", [load](const PeakRow& peak) { return kilowatts(load(peak).rub_power_mean); }},
-      {"rub power, largest [kW]", [load](const PeakRow& peak) { return kilowatts(load(peak).rub_power_largest); }}};
+      {"rub power, mean [kW]", [load](const PeakRow& peak) { return optional_cell(load(peak).rub_power_mean, kw_per_w); }},
+      {"rub power, largest [kW]", [load](const PeakRow& peak) { return optional_cell(load(peak).rub_power_largest, kw_per_w); }}};
 }
 
 PeakColumns validity_columns() {

@@ -81,8 +81,7 @@ void add_settings(const Study& study, const SpeedResponse& response, ErrorBudget
   const CriticalSpeed& critical = *budget.critical;
   const double rise = critical.amplitude_high / critical.amplitude - 1;
   budget.rows.push_back({"speeds beside the peak", "", critical.spacing / critical.speed, rise, rise, rise});
-  const bool marched = std::any_of(response.budget.begin(), response.budget.end(),
-                                   [](const PeakVariation& row) { return row.what == Variation::step; });
+  const bool marched = std::ranges::count(response.budget, Variation::step, &PeakVariation::what) > 0;
   if (const auto step = response.audit.halving_difference; step && !marched)
     budget.rows.push_back({"time step", response.audit.halving_failure, 0, *step, *step, *step});
   const std::vector<Check> checks = exactness_checks(study);
@@ -243,8 +242,7 @@ Table critical_speed_budgets(const Study& study, const FieldResults& fields) {
   const std::vector<ErrorBudget> budgets = error_budgets(study, fields);
   for (std::size_t i = 0; i < study.critical.size(); ++i) {
     const CriticalSpeed& critical = study.critical[i];
-    const auto of_this = [&](const ErrorBudget& budget) { return budget.critical == &critical; };
-    const auto found = std::find_if(budgets.begin(), budgets.end(), of_this);
+    const auto found = std::ranges::find(budgets, &critical, &ErrorBudget::critical);
     const ErrorBudget* const budget = found == budgets.end() ? nullptr : &*found;
     std::vector<Cell> row = {
         fixed(critical.speed * rpm_per_rad_s, 0),

@@ -143,15 +143,10 @@ Check symmetry_check(const Study& study) {
                              "growth per revolution of a small disturbance by the nodal diameters left out [1]",
                              stable_growth, [](const SpeedResponse& speed) { return speed.audit.excluded_growth; });
   if (check.looked_at == 0) return check;
-  const auto count = [&](SymmetryVerdict verdict) {
-    const auto& speeds = study.response.speeds;
-    return static_cast<int>(std::count_if(
-        speeds.begin(), speeds.end(), [&](const SpeedResponse& speed) { return speed.audit.symmetry == verdict; }));
-  };
-  check.beyond = count(SymmetryVerdict::breaking);
-  check.verdict = check.beyond > 0                        ? CheckVerdict::failed
-                  : count(SymmetryVerdict::undecided) > 0 ? CheckVerdict::undecided
-                                                          : CheckVerdict::passed;
+  check.beyond = speeds_with(SymmetryVerdict::breaking, study);
+  check.verdict = check.beyond > 0                                     ? CheckVerdict::failed
+                  : speeds_with(SymmetryVerdict::undecided, study) > 0 ? CheckVerdict::undecided
+                                                                       : CheckVerdict::passed;
   return check;
 }
 
@@ -186,10 +181,8 @@ std::vector<Check> response_checks(const Study& study) {
   };
   append(march_checks(study));
   append(contact_checks(study));
-  const bool all_held =
-      std::all_of(study.response.speeds.begin(), study.response.speeds.end(),
-                  [](const SpeedResponse& speed) { return speed.audit.symmetry == SymmetryVerdict::all_held; });
-  if (!all_held) checks.push_back(symmetry_check(study));
+  if (speeds_with(SymmetryVerdict::all_held, study) < static_cast<int>(study.response.speeds.size()))
+    checks.push_back(symmetry_check(study));
   Check sweep = check_speeds(study, "sweep", "relative difference from the response from rest [1]", sweep_limit,
                              [](const SpeedResponse& speed) { return speed.audit.rest_difference; });
   if (sweep.looked_at > 0) checks.push_back(std::move(sweep));  // of a response that is a sweep
@@ -197,6 +190,11 @@ std::vector<Check> response_checks(const Study& study) {
 }
 
 }  // namespace
+
+int speeds_with(SymmetryVerdict verdict, const Study& study) {
+  return static_cast<int>(std::ranges::count(
+      study.response.speeds, verdict, [](const SpeedResponse& speed) { return speed.audit.symmetry; }));
+}
 
 std::string name_of(CheckVerdict verdict) {
   constexpr std::array names = {"yes", "no", "undecided", "not looked at"};
@@ -215,9 +213,7 @@ std::vector<Check> speeds_checks(const Study& study) {
 }
 
 bool speeds_too_far_apart(const Study& study) {
-  const std::vector<Check> checks = speeds_checks(study);
-  return std::any_of(checks.begin(), checks.end(),
-                     [](const Check& check) { return check.verdict == CheckVerdict::failed; });
+  return std::ranges::count(speeds_checks(study), CheckVerdict::failed, &Check::verdict) > 0;
 }
 
 std::string speeds_caveat(const Study& study) {

@@ -35,6 +35,9 @@ struct Check {
 /// known.
 std::optional<double> step_error(const SpeedResponse& speed, const AskedAccuracy& asked);
 
+/// How many speeds have this verdict on the symmetry of their motion.
+int speeds_with(SymmetryVerdict verdict, const Study& study);
+
 /// Whether the speeds are close enough together to find every peak, and those beside each peak to resolve it.
 std::vector<Check> speeds_checks(const Study& study);
 

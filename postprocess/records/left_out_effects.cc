@@ -55,6 +55,21 @@ Eigen::VectorXd node_weights(const CellKind& kind) {
   return weights / weights.sum();
 }
 
+/// [1] CoriolisShift::change; `masses` [kg] of the sector's nodes, `family` from 0, at a speed [rad/s].
+double coriolis_change(const FieldsReader& fields, const ReducedModel& model, const Eigen::VectorXd& masses,
+                       int nodal_diameter, int family, double speed) {
+  const NodalDiameterModel& matrices = model.nodal_diameters[static_cast<std::size_t>(nodal_diameter)];
+  const auto [squares, vectors] = eigenpairs(matrices.stiffness(speed), matrices.M);
+  const Eigen::Index count = std::min<Eigen::Index>(family + 1 + more_modes, matrices.M.rows());
+  // An unstable rotor's modes below zero have no frequency.
+  const Eigen::VectorXd modes = squares.head(count).cwiseMax(0.0).cwiseSqrt();
+  if (!(modes[family] > 0)) return 0.0;
+  const Eigen::MatrixXcd shapes = fields.expand(nodal_diameter, vectors.leftCols(count));
+  const Eigen::VectorXd moved = gyroscopic_frequencies(modes, coriolis_coupling(shapes, masses), speed);
+  return std::max(std::abs(moved[count + family] / modes[family] - 1),
+                  std::abs(-moved[count - 1 - family] / modes[family] - 1));
+}
+
 }  // namespace
 
 std::optional<SlidingShare> sliding_share(const SpeedResponse& response, const SimulatedScene& scene,
@@ -141,22 +156,6 @@ Eigen::MatrixXcd coriolis_coupling(const Eigen::MatrixXcd& shapes, const Eigen::
   return theta.adjoint() * masses.asDiagonal() * r - r.adjoint() * masses.asDiagonal() * theta;
 }
 
-CoriolisTerms::CoriolisTerms(const FieldsReader& reader, const ReducedModel& model)
-    : reader_(reader), model_(model), masses_(reader.sector().density * node_volumes(reader.sector())) {}
-
-double CoriolisTerms::change(int nodal_diameter, int family, double speed) const {
-  const NodalDiameterModel& matrices = model_.nodal_diameters[static_cast<std::size_t>(nodal_diameter)];
-  const auto [squares, vectors] = eigenpairs(matrices.stiffness(speed), matrices.M);
-  const Eigen::Index count = std::min<Eigen::Index>(family + 1 + more_modes, matrices.M.rows());
-  // An unstable rotor's modes below zero have no frequency.
-  const Eigen::VectorXd modes = squares.head(count).cwiseMax(0.0).cwiseSqrt();
-  if (!(modes[family] > 0)) return 0.0;
-  const Eigen::MatrixXcd shapes = reader_.expand(nodal_diameter, vectors.leftCols(count));
-  const Eigen::VectorXd moved = gyroscopic_frequencies(modes, coriolis_coupling(shapes, masses_), speed);
-  return std::max(std::abs(moved[count + family] / modes[family] - 1),
-                  std::abs(-moved[count - 1 - family] / modes[family] - 1));
-}
-
 std::optional<double> mesh_shift(const ReducedModel& model, const WaveLabel& wave) {
   if (!model.mesh_error || wave.family >= model.mesh_error->frequency.cols()) return {};
   return model.mesh_error->frequency(std::abs(wave.signed_nodal_diameter), wave.family);
@@ -165,10 +164,10 @@ std::optional<double> mesh_shift(const ReducedModel& model, const WaveLabel& wav
 FieldEffects field_effects(const FieldsReader& fields, const ReducedModel& model,
                            const std::vector<CriticalSpeed>& critical) {
   FieldEffects effects{.tip_span = tip_spans(fields.sector())};
-  const CoriolisTerms terms(fields, model);
+  const Eigen::VectorXd masses = fields.sector().density * node_volumes(fields.sector());
   for (const CriticalSpeed& peak : critical) {
     const int n = std::abs(peak.naming_wave().signed_nodal_diameter), family = peak.naming_wave().family;
-    const double change = terms.change(n, family, peak.speed);
+    const double change = coriolis_change(fields, model, masses, n, family, peak.speed);
     if (!effects.coriolis || change > effects.coriolis->change) effects.coriolis = {change, peak.speed, n, family};
   }
   return effects;

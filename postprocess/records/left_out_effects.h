@@ -43,23 +43,6 @@ std::optional<SlidingShare> sliding_share(const SpeedResponse& response, const S
 /// [m] The distance from each contact node to the nearest node of the part `disc`; empty without that part.
 Eigen::VectorXd tip_spans(const SectorFields& sector);
 
-/// How much the Coriolis terms, which the model leaves out, change a natural frequency: M q'' + 2 Omega G q' + K q =
-/// 0 is solved in the lowest modes of its nodal diameter, with u* G u the integral of rho conj(u) . (e_z x u) over
-/// shapes that are recovered on the sector.
-class CoriolisTerms {
- public:
-  CoriolisTerms(const FieldsReader& reader, const ReducedModel& model);
-
-  /// [1] The relative change, the larger one for the two directions of the wave; `family` from 0, at a speed
-  /// [rad/s].
-  double change(int nodal_diameter, int family, double speed) const;
-
- private:
-  const FieldsReader& reader_;
-  const ReducedModel& model_;
-  Eigen::VectorXd masses_;  // of the sector's nodes
-};
-
 /// [rad/s] Frequencies with the Coriolis terms, ascending; negative ones belong to waves in the opposite
 /// direction. `modes` are the frequencies [rad/s] without them, above zero; `coupling` is the skew-Hermitian
 /// integral G of rho conj(u_i) . (e_z x u_j) for modes of unit modal mass. The equation (-omega^2 + 2 i Omega
@@ -76,9 +59,11 @@ Eigen::VectorXd node_volumes(const SectorFields& sector);
 /// of a shape that varies within a cell could vanish.
 Eigen::MatrixXcd coriolis_coupling(const Eigen::MatrixXcd& shapes, const Eigen::VectorXd& masses);
 
-/// How much the Coriolis terms change the frequency of the mode that makes a critical speed.
+/// How much the Coriolis terms, which the model leaves out, change the frequency of the mode that makes a critical
+/// speed: M q'' + 2 Omega G q' + K q = 0 is solved in the lowest modes of its nodal diameter, with u* G u the integral
+/// of rho conj(u) . (e_z x u) over shapes that are recovered on the sector.
 struct CoriolisShift {
-  double change = 0;  ///< [1] relative
+  double change = 0;  ///< [1] relative, the larger one for the two directions of the wave
   double speed = 0;   ///< [rad/s] the critical one
   int nodal_diameter = 0;
   int family = 0;  ///< from 0

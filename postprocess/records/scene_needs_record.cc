@@ -38,7 +38,7 @@ SceneNeed not_estimated(Effect effect, const std::string& how) {
 /// An effect that simulate or reduce may have measured. `otherwise`: how to measure it, if they did not.
 SceneNeed measured(const std::vector<Check>& checks, const std::string& subject, Effect effect,
                    const std::string& otherwise) {
-  const auto check = std::find_if(checks.begin(), checks.end(), [&](const Check& c) { return c.subject == subject; });
+  const auto check = std::ranges::find(checks, subject, &Check::subject);
   if (check == checks.end() || check->verdict == CheckVerdict::not_looked_at) return not_estimated(effect, otherwise);
   const NeedVerdict verdict = check->verdict == CheckVerdict::passed   ? NeedVerdict::negligible
                               : check->verdict == CheckVerdict::failed ? NeedVerdict::matters
@@ -110,19 +110,14 @@ SceneNeed coriolis_need(const FieldEffects& fields) {
 }
 
 SceneNeed diameters_need(const Study& study, const std::vector<Check>& checks) {
-  const auto count = [&](SymmetryVerdict verdict) {
-    const auto& speeds = study.response.speeds;
-    return std::count_if(speeds.begin(), speeds.end(),
-                         [&](const SpeedResponse& speed) { return speed.audit.symmetry == verdict; });
-  };
-  if (count(SymmetryVerdict::all_held) == static_cast<std::ptrdiff_t>(study.response.speeds.size()))
+  if (speeds_with(SymmetryVerdict::all_held, study) == static_cast<int>(study.response.speeds.size()))
     return {{.effect = Effect::nodal_diameters}, NeedVerdict::negligible, "none is left out"};
   SceneNeed need = measured(checks, "symmetry", Effect::nodal_diameters,
                             "compare with tiprub-simulate --set 'simulate.nodal_diameters=\"all\"'");
   if (need.verdict == NeedVerdict::not_estimated) return need;
-  const auto unchecked = count(SymmetryVerdict::unchecked);
+  const int unchecked = speeds_with(SymmetryVerdict::unchecked, study);
   if (unchecked > 0 && need.verdict == NeedVerdict::negligible) need.verdict = NeedVerdict::undecided;
-  need.how += ", " + std::to_string(count(SymmetryVerdict::undecided)) + " undecided, " + std::to_string(unchecked) +
+  need.how += ", " + std::to_string(speeds_with(SymmetryVerdict::undecided, study)) + " undecided, " + std::to_string(unchecked) +
               " unchecked";
   return need;
 }
@@ -235,8 +230,7 @@ std::string way_to_estimate(const ModelledEffect& known) {
 }
 
 void add_known(std::vector<SceneNeed>& needs, const ModelledEffect& known) {
-  const auto need =
-      std::find_if(needs.begin(), needs.end(), [&](const SceneNeed& n) { return n.effect.effect == known.effect; });
+  const auto need = std::ranges::find(needs, known.effect, [](const SceneNeed& n) { return n.effect.effect; });
   if (need != needs.end()) {
     need->effect.treatment = known.treatment;
     need->effect.reason = known.reason;
@@ -273,8 +267,7 @@ std::vector<SceneNeed> scene_needs(const Study& study, const FieldEffects& field
   for (SceneNeed& need : needs) need.effect.treatment = Treatment::simplified;  // where no file tells
   needs.push_back({{Effect::damping, Treatment::modelled}, NeedVerdict::none, damping_text(study.response.scene)});
   for (const ModelledEffect& known : known_effects(study)) add_known(needs, known);
-  std::sort(needs.begin(), needs.end(),
-            [](const SceneNeed& a, const SceneNeed& b) { return a.effect.effect < b.effect.effect; });
+  std::ranges::sort(needs, {}, [](const SceneNeed& need) { return need.effect.effect; });
   return needs;
 }
 

@@ -45,14 +45,11 @@ SpeedColumns motion_columns() {
           {"energy closing error", [](const SpeedRow& speed) { return speed.response.energy.closing_error; }}};
 }
 
-Cell megapascals(const std::optional<double>& stress) {
-  return stress ? Cell(*stress * mpa_per_pa) : Cell(std::string());
-}
-
 SpeedColumns estimated_stress_columns() {
-  return {{"von Mises, vibration, estimated [MPa]", [](const SpeedRow& speed) { return megapascals(speed.stress); }},
+  return {{"von Mises, vibration, estimated [MPa]",
+           [](const SpeedRow& speed) { return optional_cell(speed.stress, mpa_per_pa); }},
           {"Goodman utilisation, estimated [1]",
-           [](const SpeedRow& speed) { return speed.utilisation ? Cell(*speed.utilisation) : Cell(std::string()); }}};
+           [](const SpeedRow& speed) { return optional_cell(speed.utilisation); }}};
 }
 
 SpeedColumns step_columns() {

@@ -10,7 +10,7 @@
 #include "postprocess/analysis/study.h"
 #include "postprocess/compare/report_numbers.h"
 #include "postprocess/fields/field_study.h"
-#include "postprocess/figures/figure.h"
+#include "postprocess/figures/drawing.h"
 #include "postprocess/records/scene_needs_record.h"
 #include "postprocess/report/run_record.h"
 

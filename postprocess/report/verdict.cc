@@ -305,8 +305,7 @@ std::string interference_text(const Study& study) {
 
 /// The effects that a better model of this scene would have to include, the largest over its tolerance first.
 std::string what_matters(std::vector<SceneNeed> needs) {
-  std::stable_sort(needs.begin(), needs.end(),
-                   [](const SceneNeed& a, const SceneNeed& b) { return a.over_tolerance() > b.over_tolerance(); });
+  std::ranges::stable_sort(needs, std::greater(), &SceneNeed::over_tolerance);
   std::string text;
   for (const SceneNeed& need : needs)
     if (need.verdict == NeedVerdict::matters && need.effect.treatment == Treatment::left_out)

@@ -167,8 +167,8 @@ std::string yes_or_no(bool value) {
   return value ? "yes" : "no";
 }
 
-Cell optional_cell(const std::optional<double>& value) {
-  return value ? Cell(*value) : Cell(std::string());
+Cell optional_cell(const std::optional<double>& value, double factor) {
+  return value ? Cell(*value * factor) : Cell(std::string());
 }
 
 void sort_by_speed(Table& table) {

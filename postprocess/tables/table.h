@@ -94,8 +94,8 @@ std::vector<Column<Item>> joined(const std::vector<std::vector<Column<Item>>>& g
 
 /// "yes" or "no".
 std::string yes_or_no(bool value);
-/// The number, or an empty text where there is none.
-Cell optional_cell(const std::optional<double>& value);
+/// The number in another unit, or an empty text where there is none.
+Cell optional_cell(const std::optional<double>& value, double factor = 1);
 
 /// Sorts the rows by their first column, a number; equal ones keep their order.
 void sort_by_speed(Table& table);

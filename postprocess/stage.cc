@@ -160,7 +160,7 @@ void report(const StageArguments& arguments, const ReportContents& contents) {
   if (arguments.verbosity == Verbosity::verbose) {
     for (const Answer& answer : verdict(study, contents.field_results, contents.needs))
       say(arguments, answer.question + ": " + answer.text);
-    for (const std::string& line : summary(study, contents.field_results)) say(arguments, line);
+    for (const std::string& line : summary(study)) say(arguments, line);
     for (const Answer& answer : contents.run.in_words()) say(arguments, answer.question + ": " + answer.text);
   }
   say(arguments, (arguments.output / "report.html").lexically_normal().string() + ": " + doubts(study.model) +

@@ -368,7 +368,7 @@ std::string report_page(const ReportContents& contents, const std::filesystem::p
        {"verdict", answers(verdict(study, fields, needs))},
        {"brief_scene", answers(scene_in_brief(study))},
        {"response", response_section(figures, folder)},
-       {"summary", paragraphs(summary(study, fields))},
+       {"summary", paragraphs(summary(study))},
        {"critical_speeds", none ? "<p>None.</p>" : html_table(critical_speed_motions(study), Screen::main_columns)},
        {"critical_stresses",
         none || !fields.has_stress() ? "" : html_table(critical_speed_stresses(study, fields), Screen::main_columns)},

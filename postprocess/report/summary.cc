@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 
 #include "postprocess/analysis/other_motions.h"
 #include "postprocess/records/exactness_record.h"
 #include "postprocess/tables/table.h"
-#include "reduce/model/reduced_model.h"
 
 namespace tiprub::postprocess {
 
@@ -152,66 +150,12 @@ std::string share_sentence(const InteractionMap& map) {
   return "Share of the motion by nodal diameter, over all speeds [%]: " + text + ".";
 }
 
-/// Judges by Goodman's rule if the case gives strengths, else by the alternating part.
-std::string fatigue_sentence(const Study& study, const FieldResults& fields) {
-  const auto severity = [](const FieldPeak& peak) { return peak.cycle->goodman.value_or(peak.cycle->alternating); };
-  const FieldPeak* worst = nullptr;
-  for (const std::optional<FieldPeak>& peak : fields.peaks)
-    if (peak && peak->cycle && (worst == nullptr || severity(*peak) > severity(*worst))) worst = &*peak;
-  if (worst == nullptr) return "";
-  const StressCycle& cycle = *worst->cycle;
-  return " The worst speed for fatigue is " + rpm_text(worst->speed) + ": " + mpa_text(cycle.alternating) +
-         " alternating about a mean of " + mpa_text(cycle.mean) + (cycle.where.empty() ? "" : ", " + cycle.where) +
-         (cycle.goodman ? ", " + fixed(*cycle.goodman, 2) + " of what Goodman's rule allows" : "") +
-         speeds_caveat(study) + ".";
-}
-
-std::string stress_sentence(const Study& study, const FieldResults& fields) {
-  const FieldPeak* worst = nullptr;
-  for (const std::optional<FieldPeak>& peak : fields.peaks)
-    if (peak && (worst == nullptr || peak->body.vibration > worst->body.vibration)) worst = &*peak;
-  if (fields.of_no_critical) worst = &*fields.of_no_critical;
-  if (worst == nullptr || !(worst->body.vibration > 0)) return "";
-  return (fields.of_no_critical
-              ? "The vibration at the speed of the largest amplitude, " + rpm_text(worst->speed) + ": von Mises "
-              : "The vibration stresses the wheel most at " + rpm_text(worst->speed) + ": von Mises ") +
-         mpa_text(worst->body.vibration) + (worst->where.empty() ? "" : ", " + worst->where) + "; with spin " +
-         mpa_text(worst->body.both) + " (spin alone " + mpa_text(worst->body.spin) + ")" +
-         (worst->cycle ? ", the largest of the cycle" : ", at one instant") + ". Inside the tip patch it is " +
-         mpa_text(worst->tip_patch.vibration) + ", which grows as the mesh is refined." +
-         fatigue_sentence(study, fields);
-}
-
-std::string model_sentence(const ReducedModel& model) {
-  const ModelError error = model_error(model);
-  if (error.frequencies == 0) return "The model came without frequencies of the unreduced sector to verify it.";
-  return "The reduced model has the wheel's first " + std::to_string(error.frequencies) + " frequencies within " +
-         significant(percent * error.error, 2) + " % of the unreduced sector's, at " +
-         counted(static_cast<std::size_t>(model.verification.speeds.size()), "speed") + ".";
-}
-
-std::string accuracy_sentence(const Study& study) {
-  const std::vector<Check> checks = exactness_checks(study);
-  const auto check =
-      std::find_if(checks.begin(), checks.end(), [](const Check& c) { return c.subject == "accuracy"; });
-  if (check == checks.end() || !check->worst) return "";
-  return "Accuracy: " + significant(percent * check->limit, 2) +
-         " % of the critical speeds' amplitudes was asked for. The uncertainty due to step, settling and the "
-         "distance of the speeds is at most " +
-         significant(percent * *check->worst, 2) + " %, at " + rpm_text(check->speed) +
-         (check->beyond > 0
-              ? "; " + std::to_string(check->beyond) + " of " + std::to_string(check->looked_at) + " exceed the limit"
-              : "") +
-         ". The errors of the mesh and of the kind of contact are not included.";
-}
-
 }  // namespace
 
-std::vector<std::string> summary(const Study& study, const FieldResults& fields) {
+std::vector<std::string> summary(const Study& study) {
   std::vector<std::string> lines;
   for (const std::string& line :
-       {stress_sentence(study, fields), rule_sentence(study.rules, study.parameters.prediction_tolerance),
-        model_sentence(study.model), accuracy_sentence(study), steadiness_sentence(study),
+       {rule_sentence(study.rules, study.parameters.prediction_tolerance), steadiness_sentence(study),
         unusual_sentence(study.response.speeds), sweep_sentence(study), branch_sentence(study.response),
         share_sentence(study.waves.first())})
     if (!line.empty()) lines.push_back(line);

@@ -37,8 +37,8 @@ std::vector<Answer> scene_in_brief(const Study& study);
 /// "running clearances 0.120 .. 0.130 mm, given cold": the range over the tip line and the speeds.
 std::string running_clearances(const Response& response);
 
-/// Findings beyond the verdict: stress, what the linear rules missed, how reliable the numbers are, and what is
+/// Findings beyond the verdict and the tables: what the linear rules missed, how steady the motions are, and what is
 /// unusual. Each element is a paragraph.
-std::vector<std::string> summary(const Study& study, const FieldResults& fields);
+std::vector<std::string> summary(const Study& study);
 
 }  // namespace tiprub::postprocess

@@ -295,7 +295,7 @@ TEST_F(SceneNeeds, TellThatMultipliersLackTheInstantsOfImpacts) {
   branch.multiplier_angle = Eigen::Vector3d::Zero();
   made.response.branches = {branch};
   const auto said = [&] {
-    for (const std::string& line : summary(made, {}))
+    for (const std::string& line : summary(made))
       if (line.find("leaves at once") != std::string::npos) return line;
     return std::string();
   };

@@ -219,7 +219,7 @@ TEST(SpeedSpacing, FailedSpeedsLeaveAGap) {
 TEST(SpeedSpacing, SweepsAreToldWithTheNumberOfSpeedsThatTheyShare) {
   Study study = study_of(even(27, resonance(14711)));
   const auto tells = [&](const std::string& sentence) {
-    const std::vector<std::string> lines = summary(study, field_results(std::nullopt, study.critical));
+    const std::vector<std::string> lines = summary(study);
     return std::find(lines.begin(), lines.end(), sentence) != lines.end();
   };
   study.sweeps.assign(3, SweepComparison());

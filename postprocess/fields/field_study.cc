@@ -133,8 +133,8 @@ std::size_t samples_of(const RecoveredCycles& cycles) {
 }
 
 std::size_t worst_of(const std::vector<std::size_t>& speeds, const Eigen::VectorXd& amplitudes) {
-  return *std::ranges::max_element(
-      speeds, {}, [&](std::size_t index) { return amplitudes[static_cast<Eigen::Index>(index)]; });
+  return *std::ranges::max_element(speeds, {},
+                                   [&](std::size_t index) { return amplitudes[static_cast<Eigen::Index>(index)]; });
 }
 
 /// Recovers the displacement of all waves, which takes their states. Several of a nodal diameter are read together.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/fields/wheel_cycle.h"
 
-#include <functional>
 #include <fftw3.h>
+#include <functional>
 
 #include <algorithm>
 #include <cmath>

@@ -16,17 +16,17 @@
 #include <cstring>
 #include <fstream>
 #include <list>
-#include <sstream>
-#include <thread>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <sstream>
+#include <thread>
 
 #include "cases/program/errors.h"
+#include "cases/program/output_file.h"
 #include "cases/program/signal_cleanup.h"
+#include "embedded/figure_list.h"
 #include "embedded/figure_scripts.h"
 #include "postprocess/tables/table.h"
-#include "cases/program/output_file.h"
-#include "embedded/figure_list.h"
 
 namespace fs = std::filesystem;
 

@@ -3,11 +3,11 @@
 
 #include <Eigen/Dense>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
-#include <map>
 
 #include "postprocess/tables/table.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Motion and force of all sectors at one speed.
-#include <functional>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "postprocess/figures/study_figures.h"
 #include "postprocess/tables/table.h"

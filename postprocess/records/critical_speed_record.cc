@@ -191,9 +191,10 @@ PeakColumns friction_columns() {
   const auto load = [](const PeakRow& peak) -> const FrictionLoad& {
     return peak.study.response.speeds[static_cast<std::size_t>(peak.critical.index)].friction;
   };
-  return {
-      {"rub power, mean [kW]", [load](const PeakRow& peak) { return optional_cell(load(peak).rub_power_mean, kw_per_w); }},
-      {"rub power, largest [kW]", [load](const PeakRow& peak) { return optional_cell(load(peak).rub_power_largest, kw_per_w); }}};
+  return {{"rub power, mean [kW]",
+           [load](const PeakRow& peak) { return optional_cell(load(peak).rub_power_mean, kw_per_w); }},
+          {"rub power, largest [kW]",
+           [load](const PeakRow& peak) { return optional_cell(load(peak).rub_power_largest, kw_per_w); }}};
 }
 
 PeakColumns validity_columns() {

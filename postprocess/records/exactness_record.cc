@@ -192,8 +192,8 @@ std::vector<Check> response_checks(const Study& study) {
 }  // namespace
 
 int speeds_with(SymmetryVerdict verdict, const Study& study) {
-  return static_cast<int>(std::ranges::count(
-      study.response.speeds, verdict, [](const SpeedResponse& speed) { return speed.audit.symmetry; }));
+  return static_cast<int>(std::ranges::count(study.response.speeds, verdict,
+                                             [](const SpeedResponse& speed) { return speed.audit.symmetry; }));
 }
 
 std::string name_of(CheckVerdict verdict) {

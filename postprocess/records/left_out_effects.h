@@ -60,8 +60,8 @@ Eigen::VectorXd node_volumes(const SectorFields& sector);
 Eigen::MatrixXcd coriolis_coupling(const Eigen::MatrixXcd& shapes, const Eigen::VectorXd& masses);
 
 /// How much the Coriolis terms, which the model leaves out, change the frequency of the mode that makes a critical
-/// speed: M q'' + 2 Omega G q' + K q = 0 is solved in the lowest modes of its nodal diameter, with u* G u the integral
-/// of rho conj(u) . (e_z x u) over shapes that are recovered on the sector.
+/// speed: M q'' + 2 Omega G q' + K q = 0 is solved in the lowest modes of its nodal diameter, with u* G u the
+/// integral of rho conj(u) . (e_z x u) over shapes that are recovered on the sector.
 struct CoriolisShift {
   double change = 0;  ///< [1] relative, the larger one for the two directions of the wave
   double speed = 0;   ///< [rad/s] the critical one

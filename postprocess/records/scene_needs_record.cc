@@ -117,8 +117,8 @@ SceneNeed diameters_need(const Study& study, const std::vector<Check>& checks) {
   if (need.verdict == NeedVerdict::not_estimated) return need;
   const int unchecked = speeds_with(SymmetryVerdict::unchecked, study);
   if (unchecked > 0 && need.verdict == NeedVerdict::negligible) need.verdict = NeedVerdict::undecided;
-  need.how += ", " + std::to_string(speeds_with(SymmetryVerdict::undecided, study)) + " undecided, " + std::to_string(unchecked) +
-              " unchecked";
+  need.how += ", " + std::to_string(speeds_with(SymmetryVerdict::undecided, study)) + " undecided, " +
+              std::to_string(unchecked) + " unchecked";
   return need;
 }
 

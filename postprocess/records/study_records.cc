@@ -46,10 +46,10 @@ SpeedColumns motion_columns() {
 }
 
 SpeedColumns estimated_stress_columns() {
-  return {{"von Mises, vibration, estimated [MPa]",
-           [](const SpeedRow& speed) { return optional_cell(speed.stress, mpa_per_pa); }},
-          {"Goodman utilisation, estimated [1]",
-           [](const SpeedRow& speed) { return optional_cell(speed.utilisation); }}};
+  return {
+      {"von Mises, vibration, estimated [MPa]",
+       [](const SpeedRow& speed) { return optional_cell(speed.stress, mpa_per_pa); }},
+      {"Goodman utilisation, estimated [1]", [](const SpeedRow& speed) { return optional_cell(speed.utilisation); }}};
 }
 
 SpeedColumns step_columns() {

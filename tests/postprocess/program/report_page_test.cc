@@ -143,8 +143,7 @@ TEST_F(Page, SaysHowExactItIs) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   const std::string page = text_of(folder_ / "verified" / "report.html");
   // Ten of family 0, and the one of family 1 that no nodal diameter's last frequency lies below.
-  EXPECT_NE(page.find("the wheel's first 11 frequencies against the unreduced sector"),
-            std::string::npos);
+  EXPECT_NE(page.find("the wheel's first 11 frequencies against the unreduced sector"), std::string::npos);
   const auto rows = rows_of(folder_ / "verified" / "exactness.csv");
   const auto model = std::find_if(rows.begin(), rows.end(),
                                   [](const auto& row) { return row.at("check").rfind("model: ", 0) == 0; });

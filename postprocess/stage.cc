@@ -8,7 +8,6 @@
 #include <future>
 #include <utility>
 
-#include "cases/program/case_file.h"
 #include "cases/program/output_file.h"
 #include "cases/program/progress.h"
 #include "cases/program/signal_cleanup.h"

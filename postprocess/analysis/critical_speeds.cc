@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "postprocess/tables/table.h"
 #include "postprocess/waves/travelling_spectrum.h"

@@ -7,7 +7,6 @@
 #include "cases/program/errors.h"
 #include "postprocess/tables/table.h"
 #include "postprocess/waves/wave_label.h"
-#include "reduce/model/reduced_model.h"
 
 namespace tiprub::postprocess {
 

@@ -11,20 +11,12 @@ namespace tiprub::postprocess {
 
 namespace {
 
-std::vector<SpeedResponse> take_failed(Response& response) {
-  auto& speeds = response.speeds;
-  const auto first = std::stable_partition(speeds.begin(), speeds.end(),
-                                           [](const SpeedResponse& speed) { return speed.failure.empty(); });
-  std::vector<SpeedResponse> failed(std::make_move_iterator(first), std::make_move_iterator(speeds.end()));
-  speeds.erase(first, speeds.end());
-  return failed;
-}
-
-std::vector<CriticalSpeed> take_not_located(std::vector<CriticalSpeed>& peaks) {
-  const auto first =
-      std::stable_partition(peaks.begin(), peaks.end(), [](const CriticalSpeed& peak) { return peak.located; });
-  std::vector<CriticalSpeed> others(first, peaks.end());
-  peaks.erase(first, peaks.end());
+/// Takes out what does not satisfy a condition.
+template <class Item, class Condition>
+std::vector<Item> take_others(std::vector<Item>& items, const Condition& stays) {
+  const auto first = std::stable_partition(items.begin(), items.end(), stays);
+  std::vector<Item> others(std::make_move_iterator(first), std::make_move_iterator(items.end()));
+  items.erase(first, items.end());
   return others;
 }
 
@@ -63,13 +55,14 @@ LengthRange Study::interference() const {
 Study make_study(const PostprocessParameters& parameters, ReducedModel model, Response response,
                  const SweepFiles& sweeps) {
   const ContactLine& contact = model.contact;
-  std::vector<SpeedResponse> failed = take_failed(response);
+  std::vector<SpeedResponse> failed =
+      take_others(response.speeds, [](const SpeedResponse& speed) { return speed.failure.empty(); });
   const SpeedRange range{response.speeds.front().speed, response.speeds.back().speed};
   const FrequencyCurves curves(response.frequencies);
   TipAmplitudes amplitudes = tip_amplitudes(response, contact, parameters.component);
   WaveMaps waves = wave_maps(response, contact, curves, parameters);
   std::vector<CriticalSpeed> critical = critical_speeds(response, contact, amplitudes, curves, parameters);
-  std::vector<CriticalSpeed> not_located = take_not_located(critical);
+  std::vector<CriticalSpeed> not_located = take_others(critical, [](const CriticalSpeed& peak) { return peak.located; });
   std::vector<GapTerms> gap;
   for (const SpeedResponse& speed : response.speeds) gap.push_back(gap_terms(speed, response.scene, contact));
   LinearRules rules = linear_rules(response, contact, curves, amplitudes, critical, parameters);

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <string_view>
 
 #include "cases/program/case_file.h"
 #include "cases/program/errors.h"

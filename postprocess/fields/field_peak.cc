@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include "cases/program/errors.h"
-#include "postprocess/fields/sector_geometry.h"
 
 namespace tiprub::postprocess {
 

@@ -14,7 +14,6 @@
 #include "cases/program/signal_cleanup.h"
 #include "postprocess/fields/node_stress.h"
 #include "postprocess/fields/sector_stress.h"
-#include "postprocess/fields/stress_over_speed.h"
 #include "postprocess/tables/table.h"
 #include "reduce/model/reduced_model.h"
 

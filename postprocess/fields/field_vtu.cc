@@ -12,7 +12,6 @@
 
 #include "cases/program/output_file.h"
 #include "mesh/cells/cell_kind.h"
-#include "postprocess/fields/field_study.h"
 #include "postprocess/tables/packing.h"
 
 namespace tiprub::postprocess {
@@ -98,17 +97,6 @@ void write_vtu(const VtuMesh& mesh, const std::vector<VtuArray>& arrays, const s
   write_file(path, [&](std::ostream& out) { write_document(out, mesh, arrays, numbers, of_cells); });
 }
 
-void write_pvd(const std::vector<VtuFrame>& frames, const std::filesystem::path& path) {
-  write_file(path, [&](std::ostream& out) {
-    out.precision(std::numeric_limits<double>::max_digits10);
-    out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
-           "<Collection>\n";
-    for (const VtuFrame& frame : frames)
-      out << "<DataSet timestep=\"" << frame.time << "\" file=\"" << frame.file << "\"/>\n";
-    out << "</Collection>\n</VTKFile>\n";
-  });
-}
-
 namespace {
 
 std::string name_of(const ModeField& mode) {
@@ -148,19 +136,17 @@ Eigen::MatrixXd node_set_numbers(const SectorFields& sector) {
   return numbers;
 }
 
-std::vector<VtuArray> instant_arrays(const std::vector<Eigen::Matrix3Xd>& moved,
-                                     const std::vector<Eigen::Matrix3Xd>& spun, const std::vector<Tensors>& vibration,
-                                     const std::vector<Tensors>& spin) {
+std::vector<VtuArray> instant_arrays(const WheelField& vibration, const WheelField& spin) {
   std::vector<Eigen::MatrixXd> mises_vibration, mises_spin, mises;
-  for (std::size_t j = 0; j < vibration.size(); ++j) {
-    mises_vibration.emplace_back(von_mises(vibration[j]).transpose());
-    mises_spin.emplace_back(von_mises(spin[j]).transpose());
-    mises.emplace_back(von_mises(vibration[j] + spin[j]).transpose());
+  for (std::size_t j = 0; j < vibration.stress.size(); ++j) {
+    mises_vibration.emplace_back(von_mises(vibration.stress[j]).transpose());
+    mises_spin.emplace_back(von_mises(spin.stress[j]).transpose());
+    mises.emplace_back(von_mises(vibration.stress[j] + spin.stress[j]).transpose());
   }
-  return {{"displacement_vibration", joined(moved)},
-          {"displacement_spin", joined(spun)},
-          {"stress_vibration", joined(vibration)},
-          {"stress_spin", joined(spin)},
+  return {{"displacement_vibration", joined(vibration.displacement)},
+          {"displacement_spin", joined(spin.displacement)},
+          {"stress_vibration", joined(vibration.stress)},
+          {"stress_spin", joined(spin.stress)},
           {"von_mises_vibration", joined(mises_vibration)},
           {"von_mises_spin", joined(mises_spin)},
           {"von_mises", joined(mises)}};
@@ -193,6 +179,18 @@ void write_modes(const FieldStudy& fields, const std::filesystem::path& folder) 
   write_vtu(wheel_mesh(fields.sector), wheel_arrays, numbers, folder / "modes_wheel.vtu");
 }
 
+/// A collection of files over time [s] for ParaView; their paths are relative to it.
+void write_pvd(const std::vector<std::pair<double, std::string>>& frames, const std::filesystem::path& path) {
+  write_file(path, [&](std::ostream& out) {
+    out.precision(std::numeric_limits<double>::max_digits10);
+    out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
+           "<Collection>\n";
+    for (const auto& [time, file] : frames)
+      out << "<DataSet timestep=\"" << time << "\" file=\"" << file << "\"/>\n";
+    out << "</Collection>\n</VTKFile>\n";
+  });
+}
+
 /// One sector over a revolution of the rotor, without stress.
 void write_motion(const FieldStudy& fields, const MovingWheel& moving, int sector,
                   const std::filesystem::path& folder) {
@@ -202,7 +200,7 @@ void write_motion(const FieldStudy& fields, const MovingWheel& moving, int secto
   const VtuMesh mesh{nodes_of_sector(fields.sector, sector), fields.sector.cells};
   const Eigen::Matrix3d to_its_place(
       Eigen::AngleAxisd(2 * std::numbers::pi * sector / fields.sector.sector_count, Eigen::Vector3d::UnitZ()));
-  std::vector<VtuFrame> written;
+  std::vector<std::pair<double, std::string>> written;  // [s] of each file
   for (int frame = 0; frame < frames; ++frame) {
     const double angle = 2 * std::numbers::pi * frame / frames;
     std::vector<WaveField> waves = moving.waves;
@@ -211,7 +209,7 @@ void write_motion(const FieldStudy& fields, const MovingWheel& moving, int secto
     const Eigen::Matrix3Xd moved = to_its_place * on_sector(waves, sector, fields.sector.sector_count).displacement;
     const std::string file = name + "/" + (frame < 10 ? "0" : "") + std::to_string(frame) + ".vtu";
     write_vtu(mesh, {{"displacement", moved}}, {{"speed", moving.speed}, {"rotor_angle", angle}}, folder / file);
-    written.push_back({angle / moving.speed, file});
+    written.emplace_back(angle / moving.speed, file);
   }
   write_pvd(written, folder / (name + ".pvd"));
 }
@@ -230,9 +228,7 @@ void write_vtu_files(const FieldStudy& fields, const std::filesystem::path& fold
   const WheelField &vibration = fields.vibration, &spin = fields.spin;
   const std::vector<VtuNumber> numbers = {
       {"speed", fields.speed}, {"rotor_angle", fields.angle}, {"contact_force", fields.force}};
-  write_vtu(wheel_mesh(fields.sector),
-            instant_arrays(vibration.displacement, spin.displacement, vibration.stress, spin.stress), numbers,
-            folder / "contact_wheel.vtu");
+  write_vtu(wheel_mesh(fields.sector), instant_arrays(vibration, spin), numbers, folder / "contact_wheel.vtu");
   int worst = 0;
   double largest = 0;
   for (int k = 0; k < fields.sector.sector_count; ++k) {
@@ -242,7 +238,7 @@ void write_vtu_files(const FieldStudy& fields, const std::filesystem::path& fold
   }
   const auto j = static_cast<std::size_t>(worst);
   std::vector<VtuArray> arrays =
-      instant_arrays({vibration.displacement[j]}, {spin.displacement[j]}, {vibration.stress[j]}, {spin.stress[j]});
+      instant_arrays({{vibration.displacement[j]}, {vibration.stress[j]}}, {{spin.displacement[j]}, {spin.stress[j]}});
   arrays.push_back({"node_set", node_set_numbers(fields.sector)});
   write_vtu({nodes_of_sector(fields.sector, worst), fields.sector.cells}, arrays, numbers,
             folder / "contact_sector.vtu");

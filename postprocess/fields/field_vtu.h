@@ -34,15 +34,6 @@ struct VtuNumber {
 void write_vtu(const VtuMesh& mesh, const std::vector<VtuArray>& arrays, const std::vector<VtuNumber>& numbers,
                const std::filesystem::path& path, const std::vector<VtuArray>& of_cells = {});
 
-/// A file of an animation, by its path relative to the collection.
-struct VtuFrame {
-  double time = 0;  ///< [s]
-  std::string file;
-};
-
-/// Writes a collection of VTK XML files over time (.pvd) for ParaView.
-void write_pvd(const std::vector<VtuFrame>& frames, const std::filesystem::path& path);
-
 /// The motion at the speed of the contact instant; null if that speed has no cycle.
 const MovingWheel* moving_at_instant(const FieldStudy& fields);
 

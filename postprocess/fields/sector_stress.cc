@@ -2,7 +2,6 @@
 #include "postprocess/fields/sector_stress.h"
 
 #include <algorithm>
-#include <array>
 #include <complex>
 #include <iterator>
 #include <set>

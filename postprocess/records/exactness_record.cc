@@ -9,7 +9,6 @@
 #include <set>
 #include <utility>
 
-#include "postprocess/tables/table.h"
 #include "reduce/model/reduced_model.h"
 
 namespace tiprub::postprocess {
@@ -175,12 +174,7 @@ Check range_check(const Study& study) {
 
 /// Of the motions at the simulated speeds.
 std::vector<Check> response_checks(const Study& study) {
-  std::vector<Check> checks = {accuracy_check(study)};
-  const auto append = [&](std::vector<Check> more) {
-    std::move(more.begin(), more.end(), std::back_inserter(checks));
-  };
-  append(march_checks(study));
-  append(contact_checks(study));
+  std::vector<Check> checks = joined<Check>({{accuracy_check(study)}, march_checks(study), contact_checks(study)});
   if (speeds_with(SymmetryVerdict::all_held, study) < static_cast<int>(study.response.speeds.size()))
     checks.push_back(symmetry_check(study));
   Check sweep = check_speeds(study, "sweep", "relative difference from the response from rest [1]", sweep_limit,
@@ -221,15 +215,13 @@ std::string speeds_caveat(const Study& study) {
 }
 
 std::vector<Check> exactness_checks(const Study& study) {
-  std::vector<Check> checks = speeds_checks(study);
-  const auto append = [&](const std::vector<Check>& more) { checks.insert(checks.end(), more.begin(), more.end()); };
-  append(model_checks(study.model, frequency_share * study.response.scene.asked.critical_speeds));
   std::vector<Check> of_response = response_checks(study);
   if (speeds_too_far_apart(study))
     for (Check& check : of_response)
       if (check.verdict == CheckVerdict::passed) check.verdict = CheckVerdict::undecided;
-  append(of_response);
-  return checks;
+  return joined<Check>(
+      {speeds_checks(study), model_checks(study.model, frequency_share * study.response.scene.asked.critical_speeds),
+       std::move(of_response)});
 }
 
 Table exactness_record(const Study& study) {

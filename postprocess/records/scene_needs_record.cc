@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
+#include <map>
 #include <string_view>
 
 #include "postprocess/analysis/gap_terms.h"
 #include "postprocess/records/exactness_record.h"
-#include "postprocess/records/left_out_effects.h"
-#include "postprocess/tables/table.h"
 
 namespace tiprub::postprocess {
 
@@ -190,35 +188,23 @@ std::vector<ModelledEffect> known_effects(const Study& study) {
 
 /// What to set or to compare, so that an effect is known or modelled; empty if nothing here does that.
 std::string settled_by(Effect effect) {
-  switch (effect) {
-    case Effect::friction:
-      return "simulate.budget = \"critical_speeds\", or casing.friction_coefficient";
-    case Effect::round_casing:
-    case Effect::casing_slope:
-    case Effect::blade_foreshortening:
-      return "simulate.gap = \"second_order\"";
-    case Effect::damping:
-      return "simulate.budget_damping";
-    case Effect::blade_clearance:
-      return "casing.blade_clearance";
-    case Effect::nodal_diameters:
-      return "simulate.nodal_diameters = \"all\", or when_symmetry_breaks = \"full_run\"";
-    case Effect::contact_resolution:
-      return "reduce.contact = \"segments\", reduce.contact_nodes";
-    case Effect::mesh:
-      return "reduce.refine, or element_order = 3";
-    case Effect::spin_stiffness:
-      return "reduce.prestress";
-    case Effect::time_step:
-      return "simulate.step_tolerance";
-    case Effect::settling:
-    case Effect::unsettled_motions:
-      return "simulate.max_revolutions";
-    case Effect::casing_wear:
-      return "postprocess.wear_coefficient of the lining";
-    default:
-      return "";
-  }
+  static const std::map<Effect, const char*> keys = {
+      {Effect::friction, "simulate.budget = \"critical_speeds\", or casing.friction_coefficient"},
+      {Effect::round_casing, "simulate.gap = \"second_order\""},
+      {Effect::casing_slope, "simulate.gap = \"second_order\""},
+      {Effect::blade_foreshortening, "simulate.gap = \"second_order\""},
+      {Effect::damping, "simulate.budget_damping"},
+      {Effect::blade_clearance, "casing.blade_clearance"},
+      {Effect::nodal_diameters, "simulate.nodal_diameters = \"all\", or when_symmetry_breaks = \"full_run\""},
+      {Effect::contact_resolution, "reduce.contact = \"segments\", reduce.contact_nodes"},
+      {Effect::mesh, "reduce.refine, or element_order = 3"},
+      {Effect::spin_stiffness, "reduce.prestress"},
+      {Effect::time_step, "simulate.step_tolerance"},
+      {Effect::settling, "simulate.max_revolutions"},
+      {Effect::unsettled_motions, "simulate.max_revolutions"},
+      {Effect::casing_wear, "postprocess.wear_coefficient of the lining"}};
+  const auto known = keys.find(effect);
+  return known == keys.end() ? "" : known->second;
 }
 
 /// How to estimate an effect that has no estimate.
@@ -259,11 +245,9 @@ bool comes_first(const SceneNeed& a, const SceneNeed& b) {
 
 std::vector<SceneNeed> scene_needs(const Study& study, const FieldEffects& fields) {
   const std::vector<Check> checks = exactness_checks(study);
-  std::vector<SceneNeed> needs = gap_needs(study, fields);
-  for (std::vector<SceneNeed> more : {model_needs(study, fields, checks), march_needs(study, checks)})
-    std::move(more.begin(), more.end(), std::back_inserter(needs));
-  needs.push_back(wear_need(study));
-  needs.push_back(friction_need(study));
+  std::vector<SceneNeed> needs =
+      joined<SceneNeed>({gap_needs(study, fields), model_needs(study, fields, checks), march_needs(study, checks),
+                         {wear_need(study), friction_need(study)}});
   for (SceneNeed& need : needs) need.effect.treatment = Treatment::simplified;  // where no file tells
   needs.push_back({{Effect::damping, Treatment::modelled}, NeedVerdict::none, damping_text(study.response.scene)});
   for (const ModelledEffect& known : known_effects(study)) add_known(needs, known);

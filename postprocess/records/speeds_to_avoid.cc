@@ -5,7 +5,6 @@
 #include <array>
 #include <iterator>
 
-#include "postprocess/fields/field_study.h"
 #include "postprocess/records/error_budget_record.h"
 #include "postprocess/records/study_records.h"
 #include "postprocess/tables/table.h"

@@ -6,8 +6,6 @@
 #include <numbers>
 
 #include "postprocess/analysis/other_motions.h"
-#include "postprocess/fields/field_study.h"
-#include "postprocess/tables/table.h"
 #include "simulate/response/speed_numbers.h"
 
 namespace tiprub::postprocess {
@@ -174,7 +172,7 @@ Table speed_record(const Study& study, const FieldResults& fields) {
                       fields.over_speed.size() > 0 ? std::optional(fields.over_speed[index]) : std::nullopt,
                       utilisation.size() > 0 ? std::optional(utilisation[index]) : std::nullopt});
   }
-  Table table = table_of(joined<SpeedRow>({motion_columns(), estimated_stress_columns(), step_columns(),
+  Table table = table_of(joined<Column<SpeedRow>>({motion_columns(), estimated_stress_columns(), step_columns(),
                                            audit_columns(), map_columns()}),
                          speeds);
   for (const SpeedResponse& failed : study.failed) {
@@ -187,14 +185,13 @@ Table speed_record(const Study& study, const FieldResults& fields) {
   return table;
 }
 
-Table sweep_record(const std::vector<SpeedResponse>& speeds, const TipAmplitudes& amplitudes,
-                   const std::vector<SweepComparison>& sweeps) {
+Table sweep_record(const Study& study) {
   Table table{{"speed [rpm]", "from rest [mm]", "up [mm]", "down [mm]", "motion from rest", "motion up",
                "motion down", "up from rest [1]", "down from rest [1]", "differ"},
               {}};
-  for (const SweepComparison& compared : sweeps) {
-    const SpeedResponse& from_rest = speeds[static_cast<std::size_t>(compared.index)];
-    table.rows.push_back({from_rest.speed * rpm_per_rad_s, amplitudes.largest[compared.index] * mm_per_m,
+  for (const SweepComparison& compared : study.sweeps) {
+    const SpeedResponse& from_rest = study.speed_at(compared.index);
+    table.rows.push_back({from_rest.speed * rpm_per_rad_s, study.amplitudes.largest[compared.index] * mm_per_m,
                           amplitude_cell(compared.up), amplitude_cell(compared.down),
                           motion_text(from_rest.motion, from_rest.period_beats), swept_motion(compared.up),
                           swept_motion(compared.down), difference_cell(compared.up), difference_cell(compared.down),

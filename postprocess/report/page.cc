@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <map>
 #include <sstream>
 #include <string_view>
 
@@ -33,27 +34,15 @@ constexpr const char* dot = " \xC2\xB7 ";
 
 /// Text with the characters replaced that have a meaning in HTML.
 std::string escaped(const std::string& text) {
+  static const std::map<char, const char*> meant = {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
   std::string safe;
-  for (const char letter : text) {
-    switch (letter) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      default:  // a control character has no place in a page; U+FFFD shows where one was
-        safe += std::iscntrl(static_cast<unsigned char>(letter)) != 0 && letter != '\n' && letter != '\t'
-                    ? "\xEF\xBF\xBD"
-                    : std::string(1, letter);
-    }
-  }
+  for (const char letter : text)
+    if (const auto found = meant.find(letter); found != meant.end())
+      safe += found->second;
+    else if (std::iscntrl(static_cast<unsigned char>(letter)) != 0 && letter != '\n' && letter != '\t')
+      safe += "\xEF\xBF\xBD";  // U+FFFD, where a control character was: it has no place in a page
+    else
+      safe += letter;
   return safe;
 }
 
@@ -288,7 +277,7 @@ std::string record(const Study& study, const FieldResults& fields, const ReportS
          (study.sweeps.empty()
               ? std::string()
               : folded("From rest, upwards, downwards",
-                       html_table(sweep_record(study.response.speeds, study.amplitudes, study.sweeps)),
+                       html_table(sweep_record(study)),
                        "sweeps.csv")) +
          (study.response.branches.empty()
               ? std::string()

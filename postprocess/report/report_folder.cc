@@ -86,7 +86,7 @@ void write_tables(const Study& study, const FieldResults& fields, const std::fil
   if (const Table budget = error_budget_record(study, fields); !budget.rows.empty())
     write_csv(budget, folder / "error_budget.csv");
   if (!study.sweeps.empty())
-    write_csv(sweep_record(study.response.speeds, study.amplitudes, study.sweeps), folder / "sweeps.csv");
+    write_csv(sweep_record(study), folder / "sweeps.csv");
 }
 
 }  // namespace

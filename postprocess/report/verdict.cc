@@ -6,10 +6,8 @@
 #include <functional>
 #include <utility>
 
-#include "postprocess/fields/field_study.h"
 #include "postprocess/records/error_budget_record.h"
 #include "postprocess/records/exactness_record.h"
-#include "postprocess/records/speeds_to_avoid.h"
 #include "postprocess/records/study_records.h"
 #include "postprocess/tables/table.h"
 

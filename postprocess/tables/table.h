@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <algorithm>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
@@ -84,12 +86,12 @@ Table table_of(const std::vector<Column<Item>>& columns, const std::vector<Item>
   return table;
 }
 
-/// Groups of columns side by side.
+/// Lists one after the other.
 template <class Item>
-std::vector<Column<Item>> joined(const std::vector<std::vector<Column<Item>>>& groups) {
-  std::vector<Column<Item>> columns;
-  for (const auto& group : groups) columns.insert(columns.end(), group.begin(), group.end());
-  return columns;
+std::vector<Item> joined(std::vector<std::vector<Item>> lists) {
+  std::vector<Item> all;
+  for (auto& list : lists) std::move(list.begin(), list.end(), std::back_inserter(all));
+  return all;
 }
 
 /// "yes" or "no".

@@ -16,23 +16,6 @@
 
 namespace tiprub::postprocess {
 
-double contact_contrast(const Eigen::VectorXd& column) {
-  const double sum = column.sum();
-  if (sum <= 0) return 0.0;
-  return 1 - sum * sum / (static_cast<double>(column.size()) * column.squaredNorm());
-}
-
-int contact_clusters(const Eigen::VectorXd& column) {
-  constexpr double cluster_level = 0.5;
-  if (column.size() == 0 || column.maxCoeff() <= 0) return 0;
-  const double level = cluster_level * column.maxCoeff();
-  const Eigen::Index areas = column.size();
-  const auto dark = [&](Eigen::Index area) { return column[(area + areas) % areas] >= level; };
-  int starts = 0;  // a dark area after two light ones
-  for (Eigen::Index area = 0; area < areas; ++area) starts += dark(area) && !dark(area - 1) && !dark(area - 2);
-  return std::max(starts, 1);
-}
-
 namespace {
 
 /// One speed's column of a contact node's map, for sector 0. If an area is so narrow that no step begins over it,
@@ -50,23 +33,6 @@ Eigen::VectorXd contact_shares(const SpeedResponse& speed, int sector_count, con
   }
   return share;
 }
-
-}  // namespace
-
-ContactMap contact_map(const Response& response, const ContactLine& contact, int node) {
-  const auto speeds = static_cast<Eigen::Index>(response.speeds.size());
-  const Eigen::Index areas = speeds == 0 ? 0 : response.speeds.front().contact_count.cols();
-  ContactMap map{Eigen::MatrixXd(areas, speeds), Eigen::VectorXd(speeds), Eigen::VectorXi(speeds)};
-  for (Eigen::Index i = 0; i < speeds; ++i) {
-    map.share.col(i) =
-        contact_shares(response.speeds[static_cast<std::size_t>(i)], response.scene.sector_count, contact, node);
-    map.contrast[i] = contact_contrast(map.share.col(i));
-    map.clusters[i] = contact_clusters(map.share.col(i));
-  }
-  return map;
-}
-
-namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 constexpr std::size_t fewest = 3;  // speeds that make a line
@@ -158,6 +124,36 @@ double quantile(const std::vector<double>& values, double share) {
 }
 
 }  // namespace
+
+double contact_contrast(const Eigen::VectorXd& column) {
+  const double sum = column.sum();
+  if (sum <= 0) return 0.0;
+  return 1 - sum * sum / (static_cast<double>(column.size()) * column.squaredNorm());
+}
+
+int contact_clusters(const Eigen::VectorXd& column) {
+  constexpr double cluster_level = 0.5;
+  if (column.size() == 0 || column.maxCoeff() <= 0) return 0;
+  const double level = cluster_level * column.maxCoeff();
+  const Eigen::Index areas = column.size();
+  const auto dark = [&](Eigen::Index area) { return column[(area + areas) % areas] >= level; };
+  int starts = 0;  // a dark area after two light ones
+  for (Eigen::Index area = 0; area < areas; ++area) starts += dark(area) && !dark(area - 1) && !dark(area - 2);
+  return std::max(starts, 1);
+}
+
+ContactMap contact_map(const Response& response, const ContactLine& contact, int node) {
+  const auto speeds = static_cast<Eigen::Index>(response.speeds.size());
+  const Eigen::Index areas = speeds == 0 ? 0 : response.speeds.front().contact_count.cols();
+  ContactMap map{Eigen::MatrixXd(areas, speeds), Eigen::VectorXd(speeds), Eigen::VectorXi(speeds)};
+  for (Eigen::Index i = 0; i < speeds; ++i) {
+    map.share.col(i) =
+        contact_shares(response.speeds[static_cast<std::size_t>(i)], response.scene.sector_count, contact, node);
+    map.contrast[i] = contact_contrast(map.share.col(i));
+    map.clusters[i] = contact_clusters(map.share.col(i));
+  }
+  return map;
+}
 
 ContactDrift contact_drift(const ContactMap& map, const Eigen::VectorXd& speeds, int lobes,
                            const ContactLine& contact) {

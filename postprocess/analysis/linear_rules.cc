@@ -41,51 +41,6 @@ void sort_by_speed(std::vector<Crossing>& crossings) {
                    [](const Crossing& a, const Crossing& b) { return a.speed < b.speed; });
 }
 
-}  // namespace
-
-std::vector<double> criterion_speeds(const std::function<double(double)>& frequency, int engine_order,
-                                     double casing_frequency, const SpeedRange& range) {
-  const auto mismatch = [&](double speed) {
-    return frequency(speed) - std::abs(engine_order * speed * hz_per_rad_s - casing_frequency);  // eq. 2
-  };
-  std::vector<double> roots;
-  double low = range.low, at_low = mismatch(low);
-  if (at_low == 0) roots.push_back(low);
-  for (int i = 1; i <= root_intervals && range.high > range.low; ++i) {
-    const double high = range.low + (range.high - range.low) * i / root_intervals;
-    const double at_high = mismatch(high);
-    if (at_high == 0)
-      roots.push_back(high);
-    else if (at_low * at_high < 0)
-      roots.push_back(bisect(mismatch, low, high));
-    low = high;
-    at_low = at_high;
-  }
-  return roots;
-}
-
-std::vector<Crossing> equation_2_crossings(const FrequencyCurves& curves, int sector_count,
-                                           const std::vector<int>& families, const SpeedRange& range) {
-  std::vector<Crossing> crossings;
-  for (int n = 1; n <= sector_count / 2; ++n)  // eq. 2 with f_c = 0
-    append_crossings(crossings, curves, families, n, n, range);
-  sort_by_speed(crossings);
-  return crossings;
-}
-
-std::vector<Crossing> aliased_crossings(const FrequencyCurves& curves, int sector_count,
-                                        const std::vector<int>& families, int lobes,
-                                        const std::vector<int>& engine_orders, const SpeedRange& range) {
-  std::vector<Crossing> crossings;
-  for (const int order : engine_orders)
-    if (lobes > 0 && order % lobes == 0)  // eq. 16: k N_l Omega; on n: eq. 17
-      append_crossings(crossings, curves, families, order, signed_nodal_diameter(order, sector_count), range);
-  sort_by_speed(crossings);
-  return crossings;
-}
-
-namespace {
-
 constexpr double same_order = 1e-9;
 constexpr double moving_wave = 0.1;  // of the largest amplitude of all
 
@@ -149,6 +104,47 @@ void read_amplitudes(std::vector<Crossing>& crossings, const Response& response,
 }
 
 }  // namespace
+
+std::vector<double> criterion_speeds(const std::function<double(double)>& frequency, int engine_order,
+                                     double casing_frequency, const SpeedRange& range) {
+  const auto mismatch = [&](double speed) {
+    return frequency(speed) - std::abs(engine_order * speed * hz_per_rad_s - casing_frequency);  // eq. 2
+  };
+  std::vector<double> roots;
+  double low = range.low, at_low = mismatch(low);
+  if (at_low == 0) roots.push_back(low);
+  for (int i = 1; i <= root_intervals && range.high > range.low; ++i) {
+    const double high = range.low + (range.high - range.low) * i / root_intervals;
+    const double at_high = mismatch(high);
+    if (at_high == 0)
+      roots.push_back(high);
+    else if (at_low * at_high < 0)
+      roots.push_back(bisect(mismatch, low, high));
+    low = high;
+    at_low = at_high;
+  }
+  return roots;
+}
+
+std::vector<Crossing> equation_2_crossings(const FrequencyCurves& curves, int sector_count,
+                                           const std::vector<int>& families, const SpeedRange& range) {
+  std::vector<Crossing> crossings;
+  for (int n = 1; n <= sector_count / 2; ++n)  // eq. 2 with f_c = 0
+    append_crossings(crossings, curves, families, n, n, range);
+  sort_by_speed(crossings);
+  return crossings;
+}
+
+std::vector<Crossing> aliased_crossings(const FrequencyCurves& curves, int sector_count,
+                                        const std::vector<int>& families, int lobes,
+                                        const std::vector<int>& engine_orders, const SpeedRange& range) {
+  std::vector<Crossing> crossings;
+  for (const int order : engine_orders)
+    if (lobes > 0 && order % lobes == 0)  // eq. 16: k N_l Omega; on n: eq. 17
+      append_crossings(crossings, curves, families, order, signed_nodal_diameter(order, sector_count), range);
+  sort_by_speed(crossings);
+  return crossings;
+}
 
 bool predicts(const Crossing& crossing, const CriticalSpeed& critical, double tolerance) {
   return std::abs(crossing.engine_order - critical.naming_wave().engine_order) < same_order &&

@@ -101,21 +101,6 @@ void add(std::vector<SweepComparison>& comparisons, std::optional<SweptSpeed> Sw
   }
 }
 
-}  // namespace
-
-std::vector<SweepComparison> compare_sweeps(const Response& response, const ContactLine& contact, int node,
-                                            Component component, const SweepFiles& files) {
-  std::vector<SweepComparison> comparisons;
-  if (files.up.empty() && files.down.empty()) return comparisons;
-  for (std::size_t i = 0; i < response.speeds.size(); ++i)
-    comparisons.push_back({.index = static_cast<Eigen::Index>(i), .up = {}, .down = {}});
-  if (!files.up.empty()) add(comparisons, &SweepComparison::up, response, contact, node, component, files.up);
-  if (!files.down.empty()) add(comparisons, &SweepComparison::down, response, contact, node, component, files.down);
-  return comparisons;
-}
-
-namespace {
-
 constexpr double flip_angle = 0.98 * std::numbers::pi;  // beyond it a multiplier counts as negative
 constexpr double fold_angle = 0.02 * std::numbers::pi;  // below it, as positive
 
@@ -147,6 +132,17 @@ OrbitRange count(const std::vector<OrbitBranch>& branches, double low, double hi
 }
 
 }  // namespace
+
+std::vector<SweepComparison> compare_sweeps(const Response& response, const ContactLine& contact, int node,
+                                            Component component, const SweepFiles& files) {
+  std::vector<SweepComparison> comparisons;
+  if (files.up.empty() && files.down.empty()) return comparisons;
+  for (std::size_t i = 0; i < response.speeds.size(); ++i)
+    comparisons.push_back({.index = static_cast<Eigen::Index>(i), .up = {}, .down = {}});
+  if (!files.up.empty()) add(comparisons, &SweepComparison::up, response, contact, node, component, files.up);
+  if (!files.down.empty()) add(comparisons, &SweepComparison::down, response, contact, node, component, files.down);
+  return comparisons;
+}
 
 Instability instability(double angle) {
   if (angle > flip_angle) return Instability::flip;

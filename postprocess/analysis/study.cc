@@ -62,7 +62,8 @@ Study make_study(const PostprocessParameters& parameters, ReducedModel model, Re
   TipAmplitudes amplitudes = tip_amplitudes(response, contact, parameters.component);
   WaveMaps waves = wave_maps(response, contact, curves, parameters);
   std::vector<CriticalSpeed> critical = critical_speeds(response, contact, amplitudes, curves, parameters);
-  std::vector<CriticalSpeed> not_located = take_others(critical, [](const CriticalSpeed& peak) { return peak.located; });
+  std::vector<CriticalSpeed> not_located =
+      take_others(critical, [](const CriticalSpeed& peak) { return peak.located; });
   std::vector<GapTerms> gap;
   for (const SpeedResponse& speed : response.speeds) gap.push_back(gap_terms(speed, response.scene, contact));
   LinearRules rules = linear_rules(response, contact, curves, amplitudes, critical, parameters);

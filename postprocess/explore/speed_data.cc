@@ -55,7 +55,8 @@ void add_motion(PackedArrays& arrays, const Study& study, const SpeedResponse& s
 
 /// How many lines of a spectrum are drawn: as high as the maps reach, and at least the engine orders asked for.
 int drawn_lines(const SpeedFrame& frame, const TravellingSpectrum& spectrum, double speed) {
-  const double orders = std::max<double>(frame.study.parameters.engine_order_max, map_frequency_high(frame) / (speed * hz_per_rad_s));
+  const double orders =
+      std::max<double>(frame.study.parameters.engine_order_max, map_frequency_high(frame) / (speed * hz_per_rad_s));
   return std::min(spectrum.lines(), static_cast<int>(orders * spectrum.revolutions) + 1);
 }
 

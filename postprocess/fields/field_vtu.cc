@@ -90,15 +90,6 @@ void write_document(std::ostream& out, const VtuMesh& mesh, const std::vector<Vt
   out << "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
-}  // namespace
-
-void write_vtu(const VtuMesh& mesh, const std::vector<VtuArray>& arrays, const std::vector<VtuNumber>& numbers,
-               const std::filesystem::path& path, const std::vector<VtuArray>& of_cells) {
-  write_file(path, [&](std::ostream& out) { write_document(out, mesh, arrays, numbers, of_cells); });
-}
-
-namespace {
-
 std::string name_of(const ModeField& mode) {
   return "nd" + std::to_string(mode.wave.nodal_diameter) + "_family" + std::to_string(mode.family + 1);
 }
@@ -185,8 +176,7 @@ void write_pvd(const std::vector<std::pair<double, std::string>>& frames, const 
     out.precision(std::numeric_limits<double>::max_digits10);
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
            "<Collection>\n";
-    for (const auto& [time, file] : frames)
-      out << "<DataSet timestep=\"" << time << "\" file=\"" << file << "\"/>\n";
+    for (const auto& [time, file] : frames) out << "<DataSet timestep=\"" << time << "\" file=\"" << file << "\"/>\n";
     out << "</Collection>\n</VTKFile>\n";
   });
 }
@@ -216,6 +206,11 @@ void write_motion(const FieldStudy& fields, const MovingWheel& moving, int secto
 
 }  // namespace
 
+void write_vtu(const VtuMesh& mesh, const std::vector<VtuArray>& arrays, const std::vector<VtuNumber>& numbers,
+               const std::filesystem::path& path, const std::vector<VtuArray>& of_cells) {
+  write_file(path, [&](std::ostream& out) { write_document(out, mesh, arrays, numbers, of_cells); });
+}
+
 const MovingWheel* moving_at_instant(const FieldStudy& fields) {
   const auto found = std::ranges::find(fields.moving, fields.speed, &MovingWheel::speed);
   return fields.has_instant && found != fields.moving.end() && !found->waves.empty() ? &*found : nullptr;
@@ -237,8 +232,8 @@ void write_vtu_files(const FieldStudy& fields, const std::filesystem::path& fold
     largest = std::max(largest, here);
   }
   const auto j = static_cast<std::size_t>(worst);
-  std::vector<VtuArray> arrays =
-      instant_arrays({{vibration.displacement[j]}, {vibration.stress[j]}}, {{spin.displacement[j]}, {spin.stress[j]}});
+  std::vector<VtuArray> arrays = instant_arrays({{vibration.displacement[j]}, {vibration.stress[j]}},
+                                                {{spin.displacement[j]}, {spin.stress[j]}});
   arrays.push_back({"node_set", node_set_numbers(fields.sector)});
   write_vtu({nodes_of_sector(fields.sector, worst), fields.sector.cells}, arrays, numbers,
             folder / "contact_sector.vtu");

@@ -80,7 +80,8 @@ std::vector<Crossing> drawn_crossings(const SpeedFrame& frame, const std::vector
 
 void set_engine_orders(Drawing& drawing, const SpeedFrame& frame) {
   const int last = frame.study.parameters.engine_order_max;
-  const int step = last <= many_engine_orders ? 1 : std::max(frame.study.response.scene.lobes, last / many_engine_orders);
+  const int step =
+      last <= many_engine_orders ? 1 : std::max(frame.study.response.scene.lobes, last / many_engine_orders);
   drawing.values.insert(drawing.values.end(), {{"engine_order_step", step}, {"engine_order_last", last}});
 }
 

@@ -87,7 +87,8 @@ ScriptTable family_labels(const SpeedFrame& frame) {
   const double speed = frame.axis.low / rpm_per_rad_s;
   std::vector<double> frequencies;
   for (int family = 0; family < frame.families_at(0); ++family)
-    if (const double frequency = frame.study.curves.frequency(0, family, speed); frequency < map_frequency_high(frame))
+    if (const double frequency = frame.study.curves.frequency(0, family, speed);
+        frequency < map_frequency_high(frame))
       frequencies.push_back(frequency);
   return {"family_labels", {as_column(frequencies)}};
 }
@@ -207,12 +208,11 @@ Figure interaction_map_figure(const SpeedFrame& frame, const MapFrame& axes, Tip
   const ContactLine& contact = study.model.contact;
   const InteractionMap& map = study.waves.of(edge);
   Figure figure = listed_figure(
-      "interaction_map",
-      {{"edge", name_of(edge)},
-       {"of_blade", of_main_blade(contact)},
-       {"component", name_of(study.parameters.component)},
-       {"remark", "The largest amplitude of all speeds is at " +
-                      node_name(contact, study.amplitudes.node[study.amplitudes.worst()]) + "."}});
+      "interaction_map", {{"edge", name_of(edge)},
+                          {"of_blade", of_main_blade(contact)},
+                          {"component", name_of(study.parameters.component)},
+                          {"remark", "The largest amplitude of all speeds is at " +
+                                         node_name(contact, study.amplitudes.node[study.amplitudes.worst()]) + "."}});
   figure.drawing.name += edge == TipEdge::leading ? "_leading_edge" : "_trailing_edge";
   figure.data = map_table(frame, map);
   set_map_axes(figure.drawing, frame, axes);

@@ -104,8 +104,8 @@ Eigen::MatrixXd zigzag_rows(const SpeedFrame& frame, double speed, double freque
   const int last = engine_orders_below(frequency_high, speed), lobes = frame.study.response.scene.lobes;
   Eigen::MatrixXd rows(last + 1, 4);
   for (int order = 0; order <= last; ++order)
-    rows.row(order) << aliased_nodal_diameter(order, frame.study.model.sector_count), order * speed * hz_per_rad_s, order,
-        order > 0 && lobes > 0 && order % lobes == 0 ? 1 : 0;
+    rows.row(order) << aliased_nodal_diameter(order, frame.study.model.sector_count), order * speed * hz_per_rad_s,
+        order, order > 0 && lobes > 0 && order % lobes == 0 ? 1 : 0;
   return rows;
 }
 
@@ -142,9 +142,10 @@ Figure campbell_figure(const SpeedFrame& frame) {
   const DrawnRange axis{0, frame.axis.high};
   const double frequency_high = headroom * highest_frequency(frame);
   Figure figure = listed_figure("campbell");
-  figure.drawing.values = {{"speed", axis},
-                           {"frequency", DrawnRange{0, frequency_high}},
-                           {"range", DrawnRange{frame.study.range.low * rpm_per_rad_s, frame.study.range.high * rpm_per_rad_s}}};
+  figure.drawing.values = {
+      {"speed", axis},
+      {"frequency", DrawnRange{0, frequency_high}},
+      {"range", DrawnRange{frame.study.range.low * rpm_per_rad_s, frame.study.range.high * rpm_per_rad_s}}};
   figure.drawing.tables = {{"aliased", {places(drawn_crossings(frame, frame.study.rules.aliased))}},
                            {"equation_2", {places(drawn_crossings(frame, frame.study.rules.equation_2))}},
                            {"family_labels", {first_families(frame, axis, frequency_high)}}};

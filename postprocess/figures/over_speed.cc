@@ -292,7 +292,8 @@ Figure engine_order_tracking_figure(const SpeedFrame& frame) {
   constexpr std::size_t followed = 3, averaged = 6;
   const InteractionMap& map = frame.study.waves.first();
   constexpr double moving = 0.01;  // of the mean square of the motion
-  const std::vector<int> engine_orders = largest_engine_orders(map, frame.study.parameters.engine_order_max, averaged);
+  const std::vector<int> engine_orders =
+      largest_engine_orders(map, frame.study.parameters.engine_order_max, averaged);
   const Eigen::VectorXd shares = energy_shares(map);
   std::vector<Panel> panels;
   const std::vector<int> nodal_diameters = by_energy(map);

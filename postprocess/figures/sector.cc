@@ -43,29 +43,6 @@ Eigen::Matrix2Xd as_line(const Piece& piece, double step) {
   return line;
 }
 
-}  // namespace
-
-std::vector<Eigen::Matrix2Xd> meridional_outline(const Eigen::Matrix3Xd& nodes,
-                                                 const std::vector<SurfaceFace>& faces) {
-  double extent = 0;
-  for (const SurfaceFace& face : faces)
-    for (const int node : face.nodes)
-      extent = std::max(extent, meridional(nodes.col(node)).lpNorm<Eigen::Infinity>());
-  const double step = extent / steps;
-  polygon::polygon_set_data<int> covered;
-  for (const SurfaceFace& face : faces) covered.insert(projected(nodes, face, step));
-  std::vector<Piece> pieces;
-  covered.get(pieces);
-  double largest = 0;
-  for (const Piece& piece : pieces) largest = std::max(largest, static_cast<double>(polygon::area(piece)));
-  std::vector<Eigen::Matrix2Xd> lines;
-  for (const Piece& piece : pieces)
-    if (polygon::area(piece) > sliver * largest) lines.push_back(as_line(piece, step));
-  return lines;
-}
-
-namespace {
-
 constexpr double drawn_gap = 0.02;  // of the outer radius, at least: how wide the mean gap is drawn
 
 /// A line in r, z [m], 2 x points, with the name that is shown.
@@ -149,31 +126,6 @@ Table section_table(const std::vector<SectionLine>& lines) {
   return table;
 }
 
-}  // namespace
-
-Figure meridional_section_figure(const SectorFields& sector, const ContactLine& line,
-                                 const Eigen::VectorXd& clearance) {
-  const double radius = outer_radius(sector), times = gap_factor(clearance.mean(), radius);
-  std::vector<SectionLine> lines = outlines(sector);
-  Figure figure =
-      listed_figure("meridional_section", {{"of_blade", of_main_blade(line)}, {"times", fixed(times, 0)}});
-  figure.drawing.values = {{"inlet_first", inlet_below(sector) ? 1 : 0}};
-  set_outlines(figure.drawing, lines);
-  const std::vector<int>& tip = sector.node_set("contact");  // a splitter's nodes come last
-  const Eigen::Matrix2Xd contact = distinct(sector, {tip.begin(), tip.end() - line.splitter_nodes}),
-                         clamped = distinct(sector, sector.node_set("clamped"));
-  figure.drawing.tables.push_back({"casing", {drawn(casing(line, clearance, times))}});
-  figure.drawing.tables.push_back({"contact", {drawn(contact)}});
-  figure.drawing.tables.push_back({"clamped", {drawn(clamped)}});
-  for (SectionLine& more : std::vector<SectionLine>{
-           {"casing", casing(line, clearance, 1)}, {"contact nodes", contact}, {"clamped nodes", clamped}})
-    lines.push_back(std::move(more));
-  figure.data = section_table(lines);
-  return figure;
-}
-
-namespace {
-
 /// The share [%] of each cell in the whole.
 Eigen::VectorXd shares(const Eigen::VectorXd& errors) {
   const double sum = errors.sum();
@@ -221,6 +173,46 @@ Table share_table(const SectorFields& sector, const Eigen::VectorXd& frequency, 
 }
 
 }  // namespace
+
+std::vector<Eigen::Matrix2Xd> meridional_outline(const Eigen::Matrix3Xd& nodes,
+                                                 const std::vector<SurfaceFace>& faces) {
+  double extent = 0;
+  for (const SurfaceFace& face : faces)
+    for (const int node : face.nodes)
+      extent = std::max(extent, meridional(nodes.col(node)).lpNorm<Eigen::Infinity>());
+  const double step = extent / steps;
+  polygon::polygon_set_data<int> covered;
+  for (const SurfaceFace& face : faces) covered.insert(projected(nodes, face, step));
+  std::vector<Piece> pieces;
+  covered.get(pieces);
+  double largest = 0;
+  for (const Piece& piece : pieces) largest = std::max(largest, static_cast<double>(polygon::area(piece)));
+  std::vector<Eigen::Matrix2Xd> lines;
+  for (const Piece& piece : pieces)
+    if (polygon::area(piece) > sliver * largest) lines.push_back(as_line(piece, step));
+  return lines;
+}
+
+Figure meridional_section_figure(const SectorFields& sector, const ContactLine& line,
+                                 const Eigen::VectorXd& clearance) {
+  const double radius = outer_radius(sector), times = gap_factor(clearance.mean(), radius);
+  std::vector<SectionLine> lines = outlines(sector);
+  Figure figure =
+      listed_figure("meridional_section", {{"of_blade", of_main_blade(line)}, {"times", fixed(times, 0)}});
+  figure.drawing.values = {{"inlet_first", inlet_below(sector) ? 1 : 0}};
+  set_outlines(figure.drawing, lines);
+  const std::vector<int>& tip = sector.node_set("contact");  // a splitter's nodes come last
+  const Eigen::Matrix2Xd contact = distinct(sector, {tip.begin(), tip.end() - line.splitter_nodes}),
+                         clamped = distinct(sector, sector.node_set("clamped"));
+  figure.drawing.tables.push_back({"casing", {drawn(casing(line, clearance, times))}});
+  figure.drawing.tables.push_back({"contact", {drawn(contact)}});
+  figure.drawing.tables.push_back({"clamped", {drawn(clamped)}});
+  for (SectionLine& more : std::vector<SectionLine>{
+           {"casing", casing(line, clearance, 1)}, {"contact nodes", contact}, {"clamped nodes", clamped}})
+    lines.push_back(std::move(more));
+  figure.data = section_table(lines);
+  return figure;
+}
 
 Figure mesh_error_figure(const FieldStudy& fields) {
   constexpr double least_of_largest = 1e-4;  // where the colours begin

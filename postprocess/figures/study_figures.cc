@@ -31,9 +31,12 @@ std::vector<Figure> motion_figures(const Study& study) {
   const SectorSignal motion{std::string("The ") + name_of(component) + ", " + place, "mm",
                             tip_motion(shown, scene, contact, node, component) * mm_per_m},
       force{"The contact force at the " + place, "N", tip_force(shown, scene, node)};
-  return {sectors_figure("tip_motion", motion, study),      two_way_spectrum_figure("tip_spectrum", motion, study),
-          contact_force_figure(study),                      sectors_figure("force_of_sectors", force, study),
-          two_way_spectrum_figure("force_spectrum", force, study), harmonic_bars_figure(study)};
+  return {sectors_figure("tip_motion", motion, study),
+          two_way_spectrum_figure("tip_spectrum", motion, study),
+          contact_force_figure(study),
+          sectors_figure("force_of_sectors", force, study),
+          two_way_spectrum_figure("force_spectrum", force, study),
+          harmonic_bars_figure(study)};
 }
 
 }  // namespace

@@ -279,9 +279,10 @@ PeakColumns shown_stress_columns(const FieldResults& fields) {
 }  // namespace
 
 Table critical_speed_record(const Study& study, const FieldResults& fields) {
-  return table_of(joined<Column<PeakRow>>({amplitude_columns(), wave_columns(), contact_columns(), stress_columns(),
-                                   cycle_columns(), prediction_columns(), friction_columns(), validity_columns()}),
-                  peaks_of(study, fields));
+  return table_of(
+      joined<Column<PeakRow>>({amplitude_columns(), wave_columns(), contact_columns(), stress_columns(),
+                               cycle_columns(), prediction_columns(), friction_columns(), validity_columns()}),
+      peaks_of(study, fields));
 }
 
 Table critical_speed_overview(const Study& study, const FieldResults& fields) {
@@ -289,7 +290,8 @@ Table critical_speed_overview(const Study& study, const FieldResults& fields) {
   constexpr auto shown =
       std::to_array<std::string_view>({"speed [rpm]", "located [rpm]", "tip |u| [mm]", "within [%]", "wave",
                                        "share [%]", "vibration [MPa]", "Goodman", "outside validity"});
-  PeakColumns columns = joined<Column<PeakRow>>({rounded_columns(), shown_stress_columns(fields), validity_columns()});
+  PeakColumns columns =
+      joined<Column<PeakRow>>({rounded_columns(), shown_stress_columns(fields), validity_columns()});
   std::erase_if(columns, [&](const auto& column) { return std::ranges::find(shown, column.name) == shown.end(); });
   for (auto& column : columns)
     if (column.name == std::string_view("wave"))
@@ -316,8 +318,9 @@ Table critical_speed_motions(const Study& study) {
 }
 
 Table critical_speed_stresses(const Study& study, const FieldResults& fields) {
-  return table_of(joined<Column<PeakRow>>({{rounded_columns().front()}, shown_stress_columns(fields), validity_columns()}),
-                  peaks_of(study, fields));
+  return table_of(
+      joined<Column<PeakRow>>({{rounded_columns().front()}, shown_stress_columns(fields), validity_columns()}),
+      peaks_of(study, fields));
 }
 
 }  // namespace tiprub::postprocess

@@ -219,9 +219,9 @@ std::vector<Check> exactness_checks(const Study& study) {
   if (speeds_too_far_apart(study))
     for (Check& check : of_response)
       if (check.verdict == CheckVerdict::passed) check.verdict = CheckVerdict::undecided;
-  return joined<Check>(
-      {speeds_checks(study), model_checks(study.model, frequency_share * study.response.scene.asked.critical_speeds),
-       std::move(of_response)});
+  return joined<Check>({speeds_checks(study),
+                        model_checks(study.model, frequency_share * study.response.scene.asked.critical_speeds),
+                        std::move(of_response)});
 }
 
 Table exactness_record(const Study& study) {

@@ -245,9 +245,10 @@ bool comes_first(const SceneNeed& a, const SceneNeed& b) {
 
 std::vector<SceneNeed> scene_needs(const Study& study, const FieldEffects& fields) {
   const std::vector<Check> checks = exactness_checks(study);
-  std::vector<SceneNeed> needs =
-      joined<SceneNeed>({gap_needs(study, fields), model_needs(study, fields, checks), march_needs(study, checks),
-                         {wear_need(study), friction_need(study)}});
+  std::vector<SceneNeed> needs = joined<SceneNeed>({gap_needs(study, fields),
+                                                    model_needs(study, fields, checks),
+                                                    march_needs(study, checks),
+                                                    {wear_need(study), friction_need(study)}});
   for (SceneNeed& need : needs) need.effect.treatment = Treatment::simplified;  // where no file tells
   needs.push_back({{Effect::damping, Treatment::modelled}, NeedVerdict::none, damping_text(study.response.scene)});
   for (const ModelledEffect& known : known_effects(study)) add_known(needs, known);

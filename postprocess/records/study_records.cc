@@ -173,7 +173,7 @@ Table speed_record(const Study& study, const FieldResults& fields) {
                       utilisation.size() > 0 ? std::optional(utilisation[index]) : std::nullopt});
   }
   Table table = table_of(joined<Column<SpeedRow>>({motion_columns(), estimated_stress_columns(), step_columns(),
-                                           audit_columns(), map_columns()}),
+                                                   audit_columns(), map_columns()}),
                          speeds);
   for (const SpeedResponse& failed : study.failed) {
     std::vector<Cell> row(table.header.size(), std::string());

@@ -5,8 +5,8 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string_view>
 
@@ -276,9 +276,7 @@ std::string record(const Study& study, const FieldResults& fields, const ReportS
          folded("What the linear rules list", html_table(linear_criterion_record(study)), "linear_criterion.csv") +
          (study.sweeps.empty()
               ? std::string()
-              : folded("From rest, upwards, downwards",
-                       html_table(sweep_record(study)),
-                       "sweeps.csv")) +
+              : folded("From rest, upwards, downwards", html_table(sweep_record(study)), "sweeps.csv")) +
          (study.response.branches.empty()
               ? std::string()
               : folded("Branches of orbits", html_table(branch_record(study.response.branches)), "branches.csv")) +

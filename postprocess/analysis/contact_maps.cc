@@ -69,14 +69,14 @@ double correlation(const Eigen::MatrixXd& late, const Eigen::MatrixXd& early, Ei
          late.topRows(start).cwiseProduct(early.bottomRows(start)).sum();
 }
 
-/// Intercept, slope and R^2 by least squares; all NaN where x or y has no variance.
-std::tuple<double, double, double> fitted_line(const std::vector<double>& x, const std::vector<double>& y) try {
-  const auto line = boost::math::statistics::simple_ordinary_least_squares_with_R_squared(x, y);
-  const bool found =
-      std::isfinite(std::get<0>(line)) && std::isfinite(std::get<1>(line)) && std::isfinite(std::get<2>(line));
-  return found ? line : std::tuple(unknown, unknown, unknown);
+/// None where x or y has no variance.
+FittedLine fitted_line(const std::vector<double>& x, const std::vector<double>& y) try {
+  const auto [intercept, slope, determination] =
+      boost::math::statistics::simple_ordinary_least_squares_with_R_squared(x, y);
+  const bool found = std::isfinite(intercept) && std::isfinite(slope) && std::isfinite(determination);
+  return found ? FittedLine{intercept, slope, determination} : FittedLine{};
 } catch (const std::domain_error&) {  // no variance
-  return {unknown, unknown, unknown};
+  return {};
 }
 
 /// Where the parabola through three values at -1, 0, 1, of which the middle one is the largest, has its top.
@@ -166,9 +166,10 @@ ContactDrift contact_drift(const ContactMap& map, const Eigen::VectorXd& speeds,
     y.push_back(drift.angle[i]);
   }
   if (x.size() < fewest) return drift;
-  std::tie(drift.intercept, drift.slope, drift.determination) = fitted_line(x, y);
+  drift.line = fitted_line(x, y);
   const Eigen::VectorXd& arc = contact.arc_length;
-  if (drift.slope != 0) drift.implied_wave_speed = (arc[contact.trailing_edge()] - arc[0]) / std::abs(drift.slope);
+  if (drift.line.slope != 0)
+    drift.implied_wave_speed = (arc[contact.trailing_edge()] - arc[0]) / std::abs(drift.line.slope);
   return drift;
 }
 
@@ -189,7 +190,7 @@ EdgeLag edge_lag(const Response& response, const ContactLine& contact) {
   lag.median = quantile(times, 0.5);
   lag.lower_quartile = quantile(times, 0.25);
   lag.upper_quartile = quantile(times, 0.75);
-  std::tie(lag.intercept, lag.slope, lag.determination) = fitted_line(x, y);
+  lag.line = fitted_line(x, y);
   return lag;
 }
 

@@ -33,17 +33,20 @@ ContactMap contact_map(const Response& response, const ContactLine& contact, int
 
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
+/// A line y = intercept + slope x, fitted by least squares (Boost); NaN where there is none.
+struct FittedLine {
+  double intercept = unknown, slope = unknown;
+  double determination = unknown;  ///< [1] R^2
+};
+
 /// How the contact of an edge moves around the casing with speed (paper, sec. 6.1.3). The middle of the contact of
 /// a column c of the map, folded onto one lobe, is theta = arg(sum c e^{i N_l theta}) / N_l. It is followed from
-/// speed to speed, and the line theta = intercept + slope Omega is fitted to it by least squares (Boost). Contact
-/// that travels along a tip of length l at the wave speed v arrives l/v later: then slope = l/v.
+/// speed to speed, and the line theta = intercept + slope Omega is fitted to it. Contact that travels along a tip of
+/// length l at the wave speed v arrives l/v later: then slope = l/v.
 struct ContactDrift {
   Eigen::VectorXd angle;  ///< [rad] by speed, in the direction of the casing's angle; NaN without contact
-  // NaN without a line
-  double slope = unknown;               ///< [s]
-  double intercept = unknown;           ///< [rad]
-  double determination = unknown;       ///< [1] R^2 of the line
-  double implied_wave_speed = unknown;  ///< [m/s] tip length over |slope|
+  FittedLine line;        ///< [rad, s] of the angle over the speed
+  double implied_wave_speed = unknown;  ///< [m/s] tip length over |slope|; NaN without a line
 };
 
 /// Needs ascending speeds [rad/s], one for each column of the map. Fits a line if three columns or more have contact.
@@ -60,12 +63,9 @@ struct EdgeLag {
   Eigen::VectorXd likeness;  ///< [1] by speed: this correlation over the norms of the forces; 1 for equal forces
   // NaN at fewer than three speeds
   double median = unknown, lower_quartile = unknown, upper_quartile = unknown;  ///< [s] over the speeds
-  /// Of the line Omega time = intercept + slope Omega, fitted by least squares. Contact that travels along a tip of
-  /// length l at the wave speed v gives slope l/v and R^2 near 1.
-  /// NaN without a line.
-  double slope = unknown;          ///< [s]
-  double intercept = unknown;      ///< [rad]
-  double determination = unknown;  ///< [1] R^2
+  /// [rad, s] Omega time over Omega. Contact that travels along a tip of length l at the wave speed v gives slope l/v
+  /// and R^2 near 1.
+  FittedLine line{};
 };
 
 /// Needs a response at every speed. The line and the quartiles need three speeds at which both edges touch.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "postprocess/figures/maps.h"
 #include "postprocess/tables/table.h"
@@ -57,30 +58,21 @@ std::string wave_of(const ComparedPeak& peak) {
   return wave_name(peak.engine_order, peak.signed_nodal_diameter);
 }
 
-using Get = std::optional<double> (*)(const ComparedPeak&);
-
-Cell value_of(const std::optional<ComparedPeak>& peak, Get get) {
-  return optional_cell(peak ? get(*peak) : std::nullopt);
+/// `value`: a member of ComparedPeak.
+template <class Value>
+Cell value_of(const std::optional<ComparedPeak>& peak, Value value) {
+  return optional_cell(peak ? std::optional<double>(std::invoke(value, *peak)) : std::nullopt);
 }
 
 /// The change [%] relative to the other report; 0 if it is within rounding.
-Cell change_of(const PeakPair& pair, Get get) {
+template <class Value>
+Cell change_of(const PeakPair& pair, Value value) {
   constexpr double same = 1e-8;
   if (!pair.here || !pair.there) return optional_cell(std::nullopt);
-  const std::optional<double> here = get(*pair.here), there = get(*pair.there);
+  const std::optional<double> here = std::invoke(value, *pair.here), there = std::invoke(value, *pair.there);
   if (!here || !there || *there == 0) return optional_cell(std::nullopt);
   const double change = *here / *there - 1;
   return std::abs(change) < same ? 0.0 : percent * change;
-}
-
-std::optional<double> speed_of(const ComparedPeak& peak) {
-  return peak.speed;
-}
-std::optional<double> amplitude_of(const ComparedPeak& peak) {
-  return peak.amplitude;
-}
-std::optional<double> stress_of(const ComparedPeak& peak) {
-  return peak.stress;
 }
 
 /// Whether the amplitudes of two reports are of the same component.
@@ -130,9 +122,9 @@ std::string grids_text(const ReportNumbers& here, const ReportNumbers& other) {
 }  // namespace
 
 Table comparison_record(const ReportNumbers& this_one, const ReportNumbers& other) {
-  const auto here = [](Get get) { return [get](const PeakPair& pair) { return value_of(pair.here, get); }; };
-  const auto there = [](Get get) { return [get](const PeakPair& pair) { return value_of(pair.there, get); }; };
-  const auto change = [](Get get) { return [get](const PeakPair& pair) { return change_of(pair, get); }; };
+  const auto here = [](auto value) { return [value](const PeakPair& pair) { return value_of(pair.here, value); }; };
+  const auto there = [](auto value) { return [value](const PeakPair& pair) { return value_of(pair.there, value); }; };
+  const auto change = [](auto value) { return [value](const PeakPair& pair) { return change_of(pair, value); }; };
   return table_of<PeakPair>({{"wave",
                               [](const PeakPair& pair) {
                                 const std::string wave = wave_of(pair.any());
@@ -140,18 +132,19 @@ Table comparison_record(const ReportNumbers& this_one, const ReportNumbers& othe
                                                 ? wave + ", there " + wave_of(*pair.there)
                                                 : wave);
                               }},
-                             {"speed [rpm]", here(speed_of)},
-                             {"other speed [rpm]", there(speed_of)},
-                             {"shift [%]", change(speed_of)},
-                             {"amplitude [mm]", here(amplitude_of)},
-                             {"other amplitude [mm]", there(amplitude_of)},
+                             {"speed [rpm]", here(&ComparedPeak::speed)},
+                             {"other speed [rpm]", there(&ComparedPeak::speed)},
+                             {"shift [%]", change(&ComparedPeak::speed)},
+                             {"amplitude [mm]", here(&ComparedPeak::amplitude)},
+                             {"other amplitude [mm]", there(&ComparedPeak::amplitude)},
                              {"change of amplitude [%]",
                               [comparable = are_comparable(this_one, other)](const PeakPair& pair) {
-                                return comparable ? change_of(pair, amplitude_of) : optional_cell(std::nullopt);
+                                return comparable ? change_of(pair, &ComparedPeak::amplitude)
+                                                  : optional_cell(std::nullopt);
                               }},
-                             {"von Mises, both [MPa]", here(stress_of)},
-                             {"other von Mises, both [MPa]", there(stress_of)},
-                             {"change of stress [%]", change(stress_of)}},
+                             {"von Mises, both [MPa]", here(&ComparedPeak::stress)},
+                             {"other von Mises, both [MPa]", there(&ComparedPeak::stress)},
+                             {"change of stress [%]", change(&ComparedPeak::stress)}},
                             pairs_of(this_one.peaks, other.peaks));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/compare/report_numbers.h"
+#include "postprocess/compare/comparison.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "postprocess/analysis/study.h"
-#include "postprocess/compare/report_numbers.h"
+#include "postprocess/compare/comparison.h"
 #include "postprocess/fields/field_study.h"
 
 namespace tiprub::postprocess {

@@ -73,9 +73,9 @@ double tip_length(const SectorFields& sector) {
   return length;
 }
 
-StressZones stress_zones(const SectorFields& sector, double tip_patch) {
-  const double length = tip_patch > 0 ? tip_patch : default_patch * tip_length(sector);
-  StressZones zones{length, length, {}};
+StressZones stress_zones(const SectorFields& sector, double width) {
+  const double length = width > 0 ? width : default_patch * tip_length(sector);
+  StressZones zones{length, {}};
   std::vector<Eigen::Matrix3Xd> lines = {sector.nodes(Eigen::all, tip_line(sector))};
   if (const auto splitter = sector.node_sets.find("contact_splitter"); splitter != sector.node_sets.end())
     lines.emplace_back(sector.nodes(Eigen::all, splitter->second));

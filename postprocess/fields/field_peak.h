@@ -21,16 +21,14 @@ enum class StressZone {
   clamp_rim,  ///< near the edge of the clamped surface
 };
 
-/// The zones of a sector. Their lengths do not depend on the mesh, so that meshes can be compared.
+/// The zones of a sector. Their width does not depend on the mesh, so that meshes can be compared.
 struct StressZones {
-  double tip_patch = 0;             ///< [m] from the tip lines
-  double clamp_rim = 0;             ///< [m] from the clamp's edge, in the meridional plane
+  double width = 0;                 ///< [m] from the tip lines, and from the clamp's edge in the meridional plane
   std::vector<StressZone> at_node;  ///< by node of the sector
 };
 
-/// `tip_patch` [m] also is the width of the clamp's rim; 0 means 5 % of the tip line's length. Raises InputError if
-/// no node is left in the body.
-StressZones stress_zones(const SectorFields& sector, double tip_patch);
+/// A `width` of 0 means 5 % of the tip line's length. Raises InputError if no node is left in the body.
+StressZones stress_zones(const SectorFields& sector, double width);
 
 /// [m] The length of the tip line.
 double tip_length(const SectorFields& sector);

@@ -329,8 +329,7 @@ FieldResults field_results(const std::optional<FieldStudy>& fields, const std::v
   FieldResults results{scope_of(fields), std::vector<std::optional<FieldPeak>>(critical.size())};
   results.varied.resize(critical.size());
   if (!fields) return results;
-  results.tip_patch = fields->zones.tip_patch;
-  results.clamp_rim = fields->zones.clamp_rim;
+  results.zone_width = fields->zones.width;
   results.over_speed = fields->estimated.vibration;
   results.utilisation = fields->estimated.utilisation;
   if (critical.empty() && !fields->peaks.empty()) results.of_no_critical = fields->peaks.front();

@@ -62,9 +62,9 @@ struct FieldResults {
   std::optional<FieldPeak> of_no_critical = {};
   /// One list per critical speed, as FieldStudy has them; may be empty.
   std::vector<std::vector<std::optional<double>>> varied = {};
-  double tip_patch = 0, clamp_rim = 0;  ///< [m] see StressZones
-  Eigen::VectorXd over_speed = {};      ///< [Pa] EstimatedStress::vibration; empty without full fields
-  Eigen::VectorXd utilisation = {};     ///< [1] EstimatedStress::utilisation
+  double zone_width = 0;             ///< [m] see StressZones
+  Eigen::VectorXd over_speed = {};   ///< [Pa] EstimatedStress::vibration; empty without full fields
+  Eigen::VectorXd utilisation = {};  ///< [1] EstimatedStress::utilisation
 
   bool has_stress() const;
   /// Whether a critical speed's stress is that of a whole cycle.

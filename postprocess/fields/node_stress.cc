@@ -206,8 +206,7 @@ std::vector<int> nodes_near(const std::vector<int>& nodes, const SectorFields& s
 LargestStress stress_of_other_model(const FieldsReader& other, const SectorFields& sector,
                                     const std::vector<int>& nodes, const StressZones& zones,
                                     const SimulatedScene& scene) {
-  const std::vector<int> near =
-      nodes_near(nodes, sector, other.sector(), stress_zones(other.sector(), zones.tip_patch));
+  const std::vector<int> near = nodes_near(nodes, sector, other.sector(), stress_zones(other.sector(), zones.width));
   if (near.empty())
     throw InputError(other.path() + ": has no node where the wheel is stressed most; give fields of the same wheel");
   return largest_stress(NodeStress(other, near), other, scene.nodal_diameters);

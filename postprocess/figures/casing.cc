@@ -66,16 +66,16 @@ Eigen::MatrixXf contact_pixels(const SpeedFrame& frame, const ContactMap& map, E
 
 /// Whether a line describes the drift: it explains at least half of the variance.
 bool is_line(const ContactDrift& drift) {
-  return drift.determination >= 0.5;
+  return drift.line.determination >= 0.5;
 }
 
 std::string drift_sentence(const ContactDrift& drift) {
-  if (std::isnan(drift.determination)) return "";
+  if (std::isnan(drift.line.determination)) return "";
   if (!is_line(drift))
-    return " The middle of the contact follows no line over speed (R\xC2\xB2 = " + fixed(drift.determination, 2) +
-           "). Where the response resonates, it jumps.";
+    return " The middle of the contact follows no line over speed (R\xC2\xB2 = " +
+           fixed(drift.line.determination, 2) + "). Where the response resonates, it jumps.";
   return " Red: the line through the middle of the contact, folded onto one lobe: " +
-         fixed(microseconds * drift.slope, 1) + " \xC2\xB5s (R\xC2\xB2 = " + fixed(drift.determination, 3) +
+         fixed(microseconds * drift.line.slope, 1) + " \xC2\xB5s (R\xC2\xB2 = " + fixed(drift.line.determination, 3) +
          "); a wave that takes so long along the tip would run at " + fixed(drift.implied_wave_speed, 0) +
          " m/s. Where the response resonates, the middle jumps.";
 }
@@ -94,8 +94,8 @@ void set_drift(Drawing& drawing, int casing_lobes, const ContactDrift& drift) {
   const bool found = is_line(drift);
   drawing.values.insert(drawing.values.end(),
                         {{"drift_lobes", found ? std::max(casing_lobes, 1) : 0},
-                         {"drift_start", found ? drift.intercept * degrees_per_radian : 0},
-                         {"drift_slope", found ? drift.slope * degrees_per_radian / rpm_per_rad_s : 0}});
+                         {"drift_start", found ? drift.line.intercept * degrees_per_radian : 0},
+                         {"drift_slope", found ? drift.line.slope * degrees_per_radian / rpm_per_rad_s : 0}});
 }
 
 /// How far the casing is from a node of the rotor that spins and doesn't vibrate, around the casing [mm].

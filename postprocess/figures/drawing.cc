@@ -90,7 +90,6 @@ std::string data_block(const ScriptTable& table) {
 }
 
 constexpr const char* program = "gnuplot";
-constexpr const char* scripts_folder = "scripts";
 
 /// The environment, with malloc told to keep what is freed: the surface of one picture after the other has the same
 /// size, and the system would clear its pages again for each.
@@ -203,24 +202,6 @@ class Job {
   pid_t child_ = -1;
 };
 
-/// gnuplot's scripts in a folder, for as long as this object exists.
-class Scripts {
- public:
-  explicit Scripts(const fs::path& folder) : folder_(folder / scripts_folder) {
-    fs::create_directories(folder_);
-    for (const auto& [name, text] : embedded::figure_scripts::files) write_text(std::string(text), folder_ / name);
-  }
-  Scripts(const Scripts&) = delete;
-  Scripts& operator=(const Scripts&) = delete;
-  ~Scripts() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-
- private:
-  fs::path folder_;
-};
-
 constexpr int gnuplot_processes = 2;
 
 void write_pixels(const Pixels& pixels, const fs::path& folder) {
@@ -269,7 +250,9 @@ void require_gnuplot() {
 }
 
 void draw(const std::vector<Drawing>& drawings, const fs::path& folder, int processes) {
-  const Scripts scripts(folder);
+  const fs::path scripts = folder / "scripts";
+  fs::create_directories(scripts);
+  for (const auto& [name, text] : embedded::figure_scripts::files) write_text(std::string(text), scripts / name);
   std::vector<std::vector<const Drawing*>> shares(
       std::min(static_cast<std::size_t>(std::max(processes, 1)), drawings.size()));
   for (std::size_t i = 0; i < drawings.size(); ++i) shares[i % shares.size()].push_back(&drawings[i]);
@@ -277,6 +260,7 @@ void draw(const std::vector<Drawing>& drawings, const fs::path& folder, int proc
   for (std::vector<const Drawing*>& share : shares)
     jobs.emplace_back(folder, "drawings_" + std::to_string(jobs.size()), std::move(share));
   for (Job& job : jobs) job.finish();
+  fs::remove_all(scripts);
 }
 
 Figure listed_figure(const std::string& name, const std::map<std::string, std::string>& values) {

@@ -18,6 +18,8 @@ namespace {
 struct PeakRow {
   const Study& study;
   const CriticalSpeed& critical;
+  const WaveLabel& wave;  ///< that it is called after
+  const SpeedResponse& response;
   const std::optional<FieldPeak>& stress;
   std::string outside;  ///< of validity
 };
@@ -27,9 +29,11 @@ using PeakColumns = std::vector<Column<PeakRow>>;
 
 PeakRows peaks_of(const Study& study, const FieldResults& fields) {
   PeakRows peaks;
-  for (std::size_t i = 0; i < study.critical.size(); ++i)
-    peaks.push_back({study, study.critical[i], fields.peaks[i],
-                     outside_validity(study, study.critical[i].index, fields.peaks[i])});
+  for (std::size_t i = 0; i < study.critical.size(); ++i) {
+    const CriticalSpeed& critical = study.critical[i];
+    peaks.push_back({study, critical, critical.naming_wave(), study.speed_at(critical.index), fields.peaks[i],
+                     outside_validity(study, critical.index, fields.peaks[i])});
+  }
   return peaks;
 }
 
@@ -105,7 +109,7 @@ std::string motion_and_what_is_seen(const SpeedResponse& speed) {
 /// [mm]
 Column<PeakRow> blade_column(const char* name, double BladeExcursions::*of_blades) {
   return {name, [of_blades](const PeakRow& peak) {
-            const OtherStart* whole = whole_wheel(peak.study.speed_at(peak.critical.index));
+            const OtherStart* whole = whole_wheel(peak.response);
             return whole ? Cell((*whole->blades).*of_blades * mm_per_m) : Cell(std::string());
           }};
 }
@@ -132,17 +136,15 @@ PeakColumns amplitude_columns() {
 
 PeakColumns wave_columns() {
   return {
-      {"family", [](const PeakRow& peak) { return peak.critical.naming_wave().family + 1; }},
-      {"nodal diameter",
-       [](const PeakRow& peak) { return std::abs(peak.critical.naming_wave().signed_nodal_diameter); }},
-      {"signed nodal diameter",
-       [](const PeakRow& peak) { return peak.critical.naming_wave().signed_nodal_diameter; }},
-      {"engine order", [](const PeakRow& peak) { return peak.critical.naming_wave().engine_order; }},
+      {"family", [](const PeakRow& peak) { return peak.wave.family + 1; }},
+      {"nodal diameter", [](const PeakRow& peak) { return std::abs(peak.wave.signed_nodal_diameter); }},
+      {"signed nodal diameter", [](const PeakRow& peak) { return peak.wave.signed_nodal_diameter; }},
+      {"engine order", [](const PeakRow& peak) { return peak.wave.engine_order; }},
       {"wave", [](const PeakRow& peak) { return wave_names(peak.critical); }},
-      {"direction", [](const PeakRow& peak) { return name_of(peak.critical.naming_wave().direction); }},
-      {"wave amplitude [mm]", [](const PeakRow& peak) { return peak.critical.naming_wave().amplitude * mm_per_m; }},
-      {"natural frequency [Hz]", [](const PeakRow& peak) { return peak.critical.naming_wave().natural_frequency; }},
-      {"detuning [%]", [](const PeakRow& peak) { return percent * peak.critical.naming_wave().detuning; }},
+      {"direction", [](const PeakRow& peak) { return name_of(peak.wave.direction); }},
+      {"wave amplitude [mm]", [](const PeakRow& peak) { return peak.wave.amplitude * mm_per_m; }},
+      {"natural frequency [Hz]", [](const PeakRow& peak) { return peak.wave.natural_frequency; }},
+      {"detuning [%]", [](const PeakRow& peak) { return percent * peak.wave.detuning; }},
       {"wave share [1]", [](const PeakRow& peak) { return peak.critical.wave_share(); }},
       {"largest wave", [](const PeakRow& peak) { return wave_name(peak.critical.largest); }},
       {"largest wave amplitude [mm]", [](const PeakRow& peak) { return peak.critical.largest.amplitude * mm_per_m; }},
@@ -188,13 +190,10 @@ PeakColumns cycle_columns() {
 
 PeakColumns friction_columns() {
   constexpr double kw_per_w = 1e-3;
-  const auto load = [](const PeakRow& peak) -> const FrictionLoad& {
-    return peak.study.response.speeds[static_cast<std::size_t>(peak.critical.index)].friction;
-  };
   return {{"rub power, mean [kW]",
-           [load](const PeakRow& peak) { return optional_cell(load(peak).rub_power_mean, kw_per_w); }},
+           [](const PeakRow& peak) { return optional_cell(peak.response.friction.rub_power_mean, kw_per_w); }},
           {"rub power, largest [kW]",
-           [load](const PeakRow& peak) { return optional_cell(load(peak).rub_power_largest, kw_per_w); }}};
+           [](const PeakRow& peak) { return optional_cell(peak.response.friction.rub_power_largest, kw_per_w); }}};
 }
 
 PeakColumns validity_columns() {
@@ -202,12 +201,11 @@ PeakColumns validity_columns() {
 }
 
 PeakColumns prediction_columns() {
-  return {{"motion", [](const PeakRow& peak) { return motion_text(peak.study.speed_at(peak.critical.index)); }},
-          {"motions from other starts",
-           [](const PeakRow& peak) { return other_motions(peak.study.speed_at(peak.critical.index)); }},
+  return {{"motion", [](const PeakRow& peak) { return motion_text(peak.response); }},
+          {"motions from other starts", [](const PeakRow& peak) { return other_motions(peak.response); }},
           {"motion of the whole wheel",
            [](const PeakRow& peak) {
-             const OtherStart* whole = whole_wheel(peak.study.speed_at(peak.critical.index));
+             const OtherStart* whole = whole_wheel(peak.response);
              return whole ? motion_text(whole->motion, whole->period_beats) : std::string();
            }},
           blade_column("tip |u| of the whole wheel, least of the blades [mm]", &BladeExcursions::least),
@@ -231,19 +229,18 @@ PeakColumns rounded_columns() {
           {"tip |u| [mm]", [](const PeakRow& peak) { return fixed(excursion(peak) * mm_per_m, 3); }},
           {"within [%]", [](const PeakRow& peak) { return fixed(percent * peak.critical.amplitude_slack(), 1); }},
           {"node", [](const PeakRow& peak) { return std::to_string(peak.critical.node); }},
-          {"family", [](const PeakRow& peak) { return std::to_string(peak.critical.naming_wave().family + 1); }},
+          {"family", [](const PeakRow& peak) { return std::to_string(peak.wave.family + 1); }},
           {"wave", [](const PeakRow& peak) { return wave_names(peak.critical); }},
-          {"runs", [](const PeakRow& peak) { return name_of(peak.critical.naming_wave().direction); }},
+          {"runs", [](const PeakRow& peak) { return name_of(peak.wave.direction); }},
           {"share [%]", [](const PeakRow& peak) { return fixed(percent * peak.critical.wave_share(), 0); }},
-          {"detuning [%]", [](const PeakRow& peak) { return signed_percent(peak.critical.naming_wave().detuning); }},
+          {"detuning [%]", [](const PeakRow& peak) { return signed_percent(peak.wave.detuning); }},
           {"other waves", [](const PeakRow& peak) { return other_waves(peak.critical, shown_others); }},
           {"areas LE/TE",
            [](const PeakRow& peak) {
              return std::to_string(places(peak, peak.study.contact.leading)) + "/" +
                     std::to_string(places(peak, peak.study.contact.trailing));
            }},
-          {"motion",
-           [](const PeakRow& peak) { return motion_and_what_is_seen(peak.study.speed_at(peak.critical.index)); }}};
+          {"motion", [](const PeakRow& peak) { return motion_and_what_is_seen(peak.response); }}};
 }
 
 std::string rounded_mpa(double stress) {
@@ -295,11 +292,8 @@ Table critical_speed_overview(const Study& study, const FieldResults& fields) {
   std::erase_if(columns, [&](const auto& column) { return std::ranges::find(shown, column.name) == shown.end(); });
   for (auto& column : columns)
     if (column.name == std::string_view("wave"))
-      column.cell = [](const PeakRow& peak) {
-        return peak.critical.is_mixed() ? "mixed" : wave_name(peak.critical.naming_wave());
-      };
-  columns.push_back(
-      {"motion", [](const PeakRow& peak) { return motion_text(peak.study.speed_at(peak.critical.index)); }});
+      column.cell = [](const PeakRow& peak) { return peak.critical.is_mixed() ? "mixed" : wave_name(peak.wave); };
+  columns.push_back({"motion", [](const PeakRow& peak) { return motion_text(peak.response); }});
   return table_of(columns, peaks_of(study, fields));
 }
 

@@ -221,20 +221,19 @@ Table drift_record(const ContactMaps& maps, const ContactLine& contact) {
               {}};
   const Eigen::VectorXd& arc = contact.arc_length;
   const double length = arc[contact.trailing_edge()] - arc[0];
-  const auto add = [&](const char* edge, const ContactDrift& drift) {
-    const Cell none = std::string();
-    table.rows.push_back({std::string(edge), number_if_any(drift.slope), number_if_any(drift.intercept),
-                          number_if_any(drift.determination), length, number_if_any(drift.implied_wave_speed), none,
-                          none, none});
+  const Cell none = std::string();
+  const auto add = [&](const char* what, const FittedLine& line, double wave_speed,
+                       const std::vector<Cell>& quartiles) {
+    table.rows.push_back({std::string(what), number_if_any(line.slope), number_if_any(line.intercept),
+                          number_if_any(line.determination), length, number_if_any(wave_speed)});
+    table.rows.back().insert(table.rows.back().end(), quartiles.begin(), quartiles.end());
   };
-  add("leading edge's middle", maps.leading_drift);
-  add("trailing edge's middle", maps.trailing_drift);
+  add("leading edge's middle", maps.leading_drift.line, maps.leading_drift.implied_wave_speed, {none, none, none});
+  add("trailing edge's middle", maps.trailing_drift.line, maps.trailing_drift.implied_wave_speed, {none, none, none});
   const EdgeLag& lag = maps.lag;
-  table.rows.push_back({"leading edge's force after the trailing edge's", number_if_any(lag.slope),
-                        number_if_any(lag.intercept), number_if_any(lag.determination), length,
-                        number_if_any(lag.slope != 0 ? length / std::abs(lag.slope) : unknown),
-                        number_if_any(lag.median), number_if_any(lag.lower_quartile),
-                        number_if_any(lag.upper_quartile)});
+  add("leading edge's force after the trailing edge's", lag.line,
+      lag.line.slope != 0 ? length / std::abs(lag.line.slope) : unknown,
+      {number_if_any(lag.median), number_if_any(lag.lower_quartile), number_if_any(lag.upper_quartile)});
   return table;
 }
 

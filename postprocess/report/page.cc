@@ -186,8 +186,8 @@ std::string stress_note(const Study& study, const FieldResults& fields) {
                 {{"when", cycles ? "over all recorded samples of the cycle"
                                  : "at the recorded sample with the largest contact force (the response holds no "
                                    "whole cycle)"},
-                 {"patch", fixed(fields.tip_patch * mm_per_m, 1)},
-                 {"rim", fixed(fields.clamp_rim * mm_per_m, 1)}});
+                 {"patch", fixed(fields.zone_width * mm_per_m, 1)},
+                 {"rim", fixed(fields.zone_width * mm_per_m, 1)}});
 }
 
 /// The first line as it is, the others as a list.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/report/run_record.h"
+#include "postprocess/report/report.h"
 
 #include <sys/resource.h>
 

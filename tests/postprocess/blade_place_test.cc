@@ -99,7 +99,7 @@ TEST(StressZones, AreNearTheTipLineAndTheClampsEdge) {
   const Made made = bladed_hub();
   const StressZones zones = stress_zones(made.sector, 0);
   EXPECT_NEAR(tip_length(made.sector), length, 1e-12);
-  EXPECT_NEAR(zones.tip_patch, 0.05 * length, 1e-12);
+  EXPECT_NEAR(zones.width, 0.05 * length, 1e-12);
   const auto zone = [&](int along, int up) {
     return zones.at_node[static_cast<std::size_t>(made.node.at({along, 0, up}))];
   };

@@ -50,11 +50,11 @@ TEST(ContactDrift, FindsALineThatRunsOverSeveralLobes) {
   const DriftBounds bounds = drift_bounds(speeds, slope);
   for (const int lobes : {2, 3}) {
     const ContactDrift drift = contact_drift(moving_contact(speeds, lobes, slope, 0.2), speeds, lobes, contact);
-    EXPECT_NEAR(drift.slope, slope, bounds.slope);
-    EXPECT_GT(drift.determination, 1 - bounds.determination);
-    EXPECT_NEAR(std::remainder(drift.intercept - 0.2, turn / lobes), 0, bounds.intercept);
+    EXPECT_NEAR(drift.line.slope, slope, bounds.slope);
+    EXPECT_GT(drift.line.determination, 1 - bounds.determination);
+    EXPECT_NEAR(std::remainder(drift.line.intercept - 0.2, turn / lobes), 0, bounds.intercept);
     const double length = contact.arc_length[contact.size() - 1] - contact.arc_length[0];
-    EXPECT_NEAR(drift.implied_wave_speed * drift.slope, length, rounding * length);
+    EXPECT_NEAR(drift.implied_wave_speed * drift.line.slope, length, rounding * length);
   }
 }
 
@@ -62,8 +62,8 @@ TEST(ContactDrift, HasNoLineWithoutContact) {
   const Eigen::VectorXd speeds = Eigen::VectorXd::LinSpaced(5, 700, 5700);
   const ContactMap none{Eigen::MatrixXd::Zero(200, 5), {}, {}};
   const ContactDrift drift = contact_drift(none, speeds, 2, synthetic::model().contact);
-  EXPECT_TRUE(std::isnan(drift.slope));
-  EXPECT_TRUE(std::isnan(drift.determination));
+  EXPECT_TRUE(std::isnan(drift.line.slope));
+  EXPECT_TRUE(std::isnan(drift.line.determination));
   EXPECT_TRUE(drift.angle.array().isNaN().all());
 }
 
@@ -106,15 +106,15 @@ TEST(EdgeLag, SurvivesAFlipOfTheMiddle) {
   Eigen::VectorXd speeds(static_cast<Eigen::Index>(response.speeds.size()));
   for (Eigen::Index i = 0; i < speeds.size(); ++i) speeds[i] = response.speeds[static_cast<std::size_t>(i)].speed;
   const ContactDrift middle = contact_drift(contact_map(response, rotor.contact, 0), speeds, 2, rotor.contact);
-  EXPECT_GT(std::abs(middle.slope - lag), 10 * lag);  // the flip makes it
+  EXPECT_GT(std::abs(middle.line.slope - lag), 10 * lag);  // the flip makes it
 
   const EdgeLag found = edge_lag(response, rotor.contact);
   for (Eigen::Index i = 0; i < speeds.size(); ++i) {
     EXPECT_NEAR(found.time[i], lag, hundredth_of_a_sample * turn / speeds[i]) << speeds[i];
     EXPECT_GT(found.likeness[i], 0.99);
   }
-  EXPECT_NEAR(found.slope, lag, 0.01 * lag);
-  EXPECT_GT(found.determination, 0.999);
+  EXPECT_NEAR(found.line.slope, lag, 0.01 * lag);
+  EXPECT_GT(found.line.determination, 0.999);
   EXPECT_NEAR(found.median, lag, 0.01 * lag);
   EXPECT_LE(found.lower_quartile, found.median);
   EXPECT_GE(found.upper_quartile, found.median);
@@ -127,7 +127,7 @@ TEST(EdgeLag, IsUnknownUnlessBothEdgesTouch) {
     for (int sector = 0; sector < 5; ++sector) speed.contact_force.col(sector * rotor.contact.size()).setZero();
   const EdgeLag found = edge_lag(response, rotor.contact);
   EXPECT_TRUE(found.time.array().isNaN().all());
-  EXPECT_TRUE(std::isnan(found.determination));
+  EXPECT_TRUE(std::isnan(found.line.determination));
   EXPECT_TRUE(std::isnan(found.median));
 }
 

@@ -166,7 +166,7 @@ TEST_F(Tension, InAnExcludedPatchIsNotTheHeadline) {
   planted.alternating(2, 0) = 4e9;
   planted.both[4] = planted.vibration[4] = 3e9;
   planted.vibration[5] += 1e6;
-  StressZones zones{0.01, 0.01, std::vector<StressZone>(nodes, StressZone::body)};
+  StressZones zones{0.01, std::vector<StressZone>(nodes, StressZone::body)};
   zones.at_node[2] = StressZone::tip_patch;
   zones.at_node[4] = StressZone::clamp_rim;
   const MaterialStrength strength{1000 * unit, 500 * unit, 760 * unit};

@@ -203,7 +203,7 @@ TEST(GoverningNodes, AreThoseOfTheVibrationAndOfTheUtilisation) {
 TEST_F(StressOverSpeed, ReadsTheMostStressedNodesOfTheBody) {
   CycleStress stress;
   stress.vibration = Eigen::VectorXd::LinSpaced(20, 1, 20);
-  StressZones zones{1, 1, std::vector<StressZone>(20, StressZone::body)};
+  StressZones zones{1, std::vector<StressZone>(20, StressZone::body)};
   zones.at_node[19] = StressZone::tip_patch;
   const std::vector<int> nodes = stressed_nodes(stress, zones);
   ASSERT_FALSE(nodes.empty());

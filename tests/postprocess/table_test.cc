@@ -10,7 +10,7 @@
 #include <string>
 
 #include "cases/program/errors.h"
-#include "postprocess/report/run_record.h"
+#include "postprocess/report/report.h"
 
 namespace tiprub::postprocess {
 namespace {

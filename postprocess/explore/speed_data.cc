@@ -55,8 +55,7 @@ void add_motion(PackedArrays& arrays, const Study& study, const SpeedResponse& s
 
 /// How many lines of a spectrum are drawn: as high as the maps reach, and at least the engine orders asked for.
 int drawn_lines(const SpeedFrame& frame, const TravellingSpectrum& spectrum, double speed) {
-  const double orders =
-      std::max<double>(frame.study.parameters.engine_order_max, map_frequency_high(frame) / (speed * hz_per_rad_s));
+  const double orders = std::max<double>(frame.engine_order_max, map_frequency_high(frame) / (speed * hz_per_rad_s));
   return std::min(spectrum.lines(), static_cast<int>(orders * spectrum.revolutions) + 1);
 }
 
@@ -174,7 +173,7 @@ json add_modes(PackedArrays& arrays, const SpeedFrame& frame) {
     for (int family = 0; family < frame.families_at(n); ++family) {
       Eigen::VectorXd curve(frame.speeds.size());
       for (Eigen::Index i = 0; i < curve.size(); ++i)
-        curve[i] = frame.study.curves.frequency(n, family, frame.speeds[i] / rpm_per_rad_s);
+        curve[i] = frame.curves.frequency(n, family, frame.speeds[i] / rpm_per_rad_s);
       arrays.add("mode/" + std::to_string(list.size()), curve);
       list.push_back({{"nodal_diameter", n}, {"family", family + 1}});
     }
@@ -191,7 +190,7 @@ json axes_of(const Study& study, const SpeedFrame& frame) {
   return {{"speed", {frame.axis.low, frame.axis.high}},
           {"frequency", map_frequency_high(frame)},
           {"amplitude", study.amplitudes.largest.maxCoeff() * mm_per_m},
-          {"map", map_frame(frame).amplitude.high},
+          {"map", map_frame(frame, study.waves, study.parameters).amplitude.high},
           {"decades", study.parameters.amplitude_decades},
           {"engine_orders", study.parameters.engine_order_max}};
 }

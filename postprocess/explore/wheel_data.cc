@@ -2,6 +2,7 @@
 #include "postprocess/explore/page_data.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>

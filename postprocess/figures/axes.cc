@@ -59,7 +59,7 @@ Eigen::VectorXi nearest_speeds(const Eigen::VectorXd& speeds, const Eigen::Vecto
 }
 
 int SpeedFrame::families_at(int nodal_diameter) const {
-  return std::min(families, study.curves.families(nodal_diameter));
+  return std::min(families, curves.families(nodal_diameter));
 }
 
 SpeedFrame speed_frame(const Study& study) {
@@ -67,28 +67,38 @@ SpeedFrame speed_frame(const Study& study) {
   int families = study.parameters.families;
   for (const CriticalSpeed& critical : study.critical)
     families = std::max(families, critical.naming_wave().family + 1);
-  return {study, axis_of(rpm), rpm, rpm_of(study.failed), outside_validity(study), families};
+  return {axis_of(rpm),
+          rpm,
+          rpm_of(study.failed),
+          outside_validity(study),
+          study.range,
+          study.curves,
+          study.model.sector_count,
+          study.response.scene.lobes,
+          families,
+          study.parameters.engine_order_max,
+          study.critical,
+          study.response.scene.nodal_diameters};
 }
 
 std::vector<Crossing> drawn_crossings(const SpeedFrame& frame, const std::vector<Crossing>& crossings) {
   std::vector<Crossing> drawn;
   std::copy_if(crossings.begin(), crossings.end(), std::back_inserter(drawn), [&](const Crossing& crossing) {
-    return crossing.family < frame.families && crossing.engine_order <= frame.study.parameters.engine_order_max;
+    return crossing.family < frame.families && crossing.engine_order <= frame.engine_order_max;
   });
   return drawn;
 }
 
 void set_engine_orders(Drawing& drawing, const SpeedFrame& frame) {
-  const int last = frame.study.parameters.engine_order_max;
-  const int step =
-      last <= many_engine_orders ? 1 : std::max(frame.study.response.scene.lobes, last / many_engine_orders);
+  const int last = frame.engine_order_max;
+  const int step = last <= many_engine_orders ? 1 : std::max(frame.lobes, last / many_engine_orders);
   drawing.values.insert(drawing.values.end(), {{"engine_order_step", step}, {"engine_order_last", last}});
 }
 
 void set_critical_speeds(Drawing& drawing, const SpeedFrame& frame, double frequency_high) {
-  Eigen::MatrixXd rows(static_cast<Eigen::Index>(frame.study.critical.size()), 2);
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(frame.critical.size()), 2);
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-    const CriticalSpeed& critical = frame.study.critical[static_cast<std::size_t>(i)];
+    const CriticalSpeed& critical = frame.critical[static_cast<std::size_t>(i)];
     const double frequency = critical.naming_wave().engine_order * critical.speed * hz_per_rad_s;
     rows.row(i) << critical.speed * rpm_per_rad_s, std::min(frequency, frequency_high);
   }
@@ -102,7 +112,7 @@ void set_modes(Drawing& drawing, const SpeedFrame& frame, const DrawnRange& axis
   for (int n = 0; n < nodal_diameters; ++n)
     for (int family = 0; family < frame.families_at(n); ++family)
       for (int i = 0; i < modal_line_points; ++i)
-        rows(i, 1 + n * families + family) = frame.study.curves.frequency(n, family, rows(i, 0) / rpm_per_rad_s);
+        rows(i, 1 + n * families + family) = frame.curves.frequency(n, family, rows(i, 0) / rpm_per_rad_s);
   drawing.values.insert(drawing.values.end(), {{"nodal_diameters", nodal_diameters}, {"families", families}});
   drawing.tables.push_back({"modes", {rows}});
 }

@@ -10,15 +10,20 @@
 
 namespace tiprub::postprocess {
 
-/// What drawings over speed have in common. The study must outlive it.
+/// What drawings over speed have in common.
 struct SpeedFrame {
-  const Study& study;
   DrawnRange axis;                 ///< [rpm] the simulated range and half a step beyond both ends
   Eigen::VectorXd speeds, failed;  ///< [rpm] with and without a response
   Eigen::VectorXd outside;         ///< [rpm] where the motion leaves what a linear gap can say
-  int families;                    ///< drawn: as many as asked for, and at least all that make critical speeds
+  SpeedRange range;                ///< [rad/s]
+  FrequencyCurves curves;
+  int sector_count, lobes;
+  int families;  ///< drawn: as many as asked for, and at least all that make critical speeds
+  int engine_order_max;
+  std::vector<CriticalSpeed> critical;
+  std::vector<int> moving;  ///< nodal diameters that can
 
-  int nodal_diameters() const { return study.model.sector_count / 2 + 1; }
+  int nodal_diameters() const { return sector_count / 2 + 1; }
   /// How many of the drawn families a nodal diameter has.
   int families_at(int nodal_diameter) const;
 };

@@ -105,22 +105,21 @@ Eigen::VectorXd gap(const SpeedResponse& response, const SimulatedScene& scene, 
 
 }  // namespace
 
-Figure contact_map_figure(const SpeedFrame& frame, TipEdge edge) {
-  const ContactMaps& maps = frame.study.contact;
+Figure contact_map_figure(const SpeedFrame& frame, TipEdge edge, const ContactMaps& maps,
+                          const std::string& of_blade) {
   const bool leading = edge == TipEdge::leading;
   const ContactMap& map = leading ? maps.leading : maps.trailing;
   const ContactDrift drift = leading ? maps.leading_drift : ContactDrift{};  // as in the paper
   const int places = map.clusters.maxCoeff();
-  Figure figure = listed_figure("contact_map", {{"edge", name_of(edge)},
-                                                {"of_blade", of_main_blade(frame.study.model.contact)},
-                                                {"areas", std::to_string(map.share.rows())}});
+  Figure figure = listed_figure(
+      "contact_map", {{"edge", name_of(edge)}, {"of_blade", of_blade}, {"areas", std::to_string(map.share.rows())}});
   figure.drawing.name += leading ? "_leading_edge" : "_trailing_edge";
   figure.drawing.values = {{"speed", frame.axis},
                            {"places", DrawnRange{0, std::max(1.0, 1.1 * places)}},
                            {"places_tics", std::max(1, (places + 3) / 4)}};
   figure.data = contact_table(frame.speeds, map);
   if (leading) figure.caption += drift_sentence(drift) + lag_sentence(maps.lag);
-  set_drift(figure.drawing, frame.study.response.scene.lobes, drift);
+  set_drift(figure.drawing, frame.lobes, drift);
   const Eigen::Index cut = cut_area(map);
   figure.drawing.values.emplace_back("cut",
                                      degrees * static_cast<double>(cut) / static_cast<double>(map.share.rows()));
@@ -128,11 +127,8 @@ Figure contact_map_figure(const SpeedFrame& frame, TipEdge edge) {
   return figure;
 }
 
-Figure casing_figure(const Study& study) {
+Figure casing_figure(const SimulatedScene& scene, const SpeedResponse& shown, const ContactLine& contact) {
   constexpr double smallest_distortion = 1e-12;  // [m] of a round casing
-  const SimulatedScene& scene = study.response.scene;
-  const SpeedResponse& shown = study.shown_response();
-  const ContactLine& contact = study.model.contact;
   const double largest = std::max(scene.casing_distortion.cwiseAbs().maxCoeff(), smallest_distortion);
   Figure figure = listed_figure("casing", {{"largest", fixed(largest * mm_per_m, 3)},
                                            {"of_blade", of_main_blade(contact)},

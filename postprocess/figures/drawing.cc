@@ -26,6 +26,7 @@
 #include "cases/program/signal_cleanup.h"
 #include "embedded/figure_list.h"
 #include "embedded/figure_scripts.h"
+#include "postprocess/tables/table.h"
 
 namespace fs = std::filesystem;
 

@@ -66,7 +66,7 @@ Table map_table(const SpeedFrame& frame, const InteractionMap& map) {
   for (const MapColumn& column : map.columns)
     for (int line = 0; line < column.spectrum.lines(); ++line) {
       const double order = column.spectrum.engine_order(line);
-      if (order > frame.study.parameters.engine_order_max) break;
+      if (order > frame.engine_order_max) break;
       std::vector<Cell> row = {column.speed * rpm_per_rad_s, order * column.speed * hz_per_rad_s, order,
                                column.total[line] * mm_per_m};
       for (Eigen::Index n = 0; n < column.parts.cols(); ++n) row.emplace_back(column.parts(line, n) * mm_per_m);
@@ -87,8 +87,7 @@ ScriptTable family_labels(const SpeedFrame& frame) {
   const double speed = frame.axis.low / rpm_per_rad_s;
   std::vector<double> frequencies;
   for (int family = 0; family < frame.families_at(0); ++family)
-    if (const double frequency = frame.study.curves.frequency(0, family, speed);
-        frequency < map_frequency_high(frame))
+    if (const double frequency = frame.curves.frequency(0, family, speed); frequency < map_frequency_high(frame))
       frequencies.push_back(frequency);
   return {"family_labels", {as_column(frequencies)}};
 }
@@ -131,7 +130,7 @@ Table ridge_table(const std::vector<Ridge>& ridges) {
 }
 
 int drawn_lines(const SpeedFrame& frame, const MapColumn& column) {
-  return std::min(column.spectrum.lines() - 1, frame.study.parameters.engine_order_max * column.spectrum.revolutions);
+  return std::min(column.spectrum.lines() - 1, frame.engine_order_max * column.spectrum.revolutions);
 }
 
 /// Frequency [Hz], amplitude [mm]: each line of the spectrum that can be seen, as a narrow triangle.
@@ -172,8 +171,8 @@ std::vector<const MapColumn*> apart(const SpeedFrame& frame, const InteractionMa
 double map_frequency_high(const SpeedFrame& frame) {
   double modes = 0;
   for (int n = 0; n < frame.nodal_diameters(); ++n)
-    modes = std::max(modes, frame.study.curves.frequency(n, frame.families_at(n) - 1, frame.study.range.high));
-  const double engine_order = frame.study.parameters.engine_order_max * frame.axis.high / seconds_per_minute;
+    modes = std::max(modes, frame.curves.frequency(n, frame.families_at(n) - 1, frame.range.high));
+  const double engine_order = frame.engine_order_max * frame.axis.high / seconds_per_minute;
   return modes > 0 ? std::min(engine_order, above_modes * modes) : engine_order;
 }
 
@@ -181,9 +180,8 @@ double map_amplitude_high(const WaveMaps& waves) {
   return std::max({waves.leading.largest() * mm_per_m, waves.trailing.largest() * mm_per_m, smallest_map});
 }
 
-MapFrame map_frame(const SpeedFrame& frame) {
-  const PostprocessParameters& parameters = frame.study.parameters;
-  const double given = parameters.amplitude_max_mm, high = given > 0 ? given : map_amplitude_high(frame.study.waves);
+MapFrame map_frame(const SpeedFrame& frame, const WaveMaps& waves, const PostprocessParameters& parameters) {
+  const double given = parameters.amplitude_max_mm, high = given > 0 ? given : map_amplitude_high(waves);
   return {frame.axis, map_frequency_high(frame), {high * std::pow(10.0, -parameters.amplitude_decades), high}};
 }
 
@@ -202,31 +200,31 @@ Eigen::MatrixXf map_pixels(const InteractionMap& map, const Eigen::VectorXd& fai
                  [](const MapColumn& column, int line) { return column.total[line]; });
 }
 
-Figure interaction_map_figure(const SpeedFrame& frame, const MapFrame& axes, TipEdge edge) {
+std::string largest_place(const TipAmplitudes& amplitudes, const ContactLine& contact) {
+  return "The largest amplitude of all speeds is at " + node_name(contact, amplitudes.node[amplitudes.worst()]) + ".";
+}
+
+Figure interaction_map_figure(const SpeedFrame& frame, const MapFrame& axes, const EdgeMap& edge,
+                              const std::vector<SpeedResponse>& speeds) {
   constexpr int columns = 700, rows = 480;
-  const Study& study = frame.study;
-  const ContactLine& contact = study.model.contact;
-  const InteractionMap& map = study.waves.of(edge);
-  Figure figure = listed_figure(
-      "interaction_map", {{"edge", name_of(edge)},
-                          {"of_blade", of_main_blade(contact)},
-                          {"component", name_of(study.parameters.component)},
-                          {"remark", "The largest amplitude of all speeds is at " +
-                                         node_name(contact, study.amplitudes.node[study.amplitudes.worst()]) + "."}});
-  figure.drawing.name += edge == TipEdge::leading ? "_leading_edge" : "_trailing_edge";
-  figure.data = map_table(frame, map);
+  Figure figure = listed_figure("interaction_map", {{"edge", name_of(edge.edge)},
+                                                    {"of_blade", edge.of_blade},
+                                                    {"component", edge.component},
+                                                    {"remark", edge.remark}});
+  figure.drawing.name += edge.edge == TipEdge::leading ? "_leading_edge" : "_trailing_edge";
+  figure.data = map_table(frame, edge.map);
   set_map_axes(figure.drawing, frame, axes);
   figure.drawing.tables.push_back(family_labels(frame));
   figure.drawing.tables.push_back({"outside", {frame.outside}});
-  for (ScriptTable& marks : unusual_motion(study.response.speeds)) figure.drawing.tables.push_back(std::move(marks));
-  set_pixels(figure, map_pixels(map, frame.failed, axes, columns, rows));
+  for (ScriptTable& marks : unusual_motion(speeds)) figure.drawing.tables.push_back(std::move(marks));
+  set_pixels(figure, map_pixels(edge.map, frame.failed, axes, columns, rows));
   return figure;
 }
 
-Figure interaction_map_parts_figure(const SpeedFrame& frame, const MapFrame& axes) {
+Figure interaction_map_parts_figure(const SpeedFrame& frame, const MapFrame& axes, const WaveMaps& waves,
+                                    const std::vector<int>& moving) {
   constexpr int width = 330, height = 260, columns = 3;
-  const WaveMaps& waves = frame.study.waves;
-  const std::vector<int> panels = panel_nodal_diameters(frame.study.response.scene.nodal_diameters);
+  const std::vector<int> panels = panel_nodal_diameters(moving);
   const int count = static_cast<int>(panels.size()), rows = (count + columns - 1) / columns;
   Figure figure = listed_figure("interaction_map_parts", {{"edge", name_of(waves.asked)}});
   figure.drawing.height = 100 + 330 * rows;
@@ -250,9 +248,8 @@ Figure interaction_map_parts_figure(const SpeedFrame& frame, const MapFrame& axe
   return figure;
 }
 
-Figure waterfall_figure(const SpeedFrame& frame) {
+Figure waterfall_figure(const SpeedFrame& frame, const InteractionMap& map) {
   constexpr int slots = 48;
-  const InteractionMap& map = frame.study.waves.first();
   const std::vector<const MapColumn*> drawn = apart(frame, map, slots);
   Figure figure = listed_figure("waterfall", {{"largest", fixed(map.largest() * mm_per_m, 3)},
                                               {"drawn", std::to_string(drawn.size())},

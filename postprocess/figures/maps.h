@@ -18,7 +18,7 @@ struct MapFrame {
   DrawnRange amplitude;       ///< [mm] smaller amplitudes have the lowest colour: a log scale has no zero
 };
 /// For a study's own maps: both edges share their colours.
-MapFrame map_frame(const SpeedFrame& frame);
+MapFrame map_frame(const SpeedFrame& frame, const WaveMaps& waves, const PostprocessParameters& parameters);
 
 /// [Hz] the highest engine order at the highest speed, but not far above the families that are drawn.
 double map_frequency_high(const SpeedFrame& frame);
@@ -33,11 +33,22 @@ void set_map_axes(Drawing& drawing, const SpeedFrame& frame, const MapFrame& map
 Eigen::MatrixXf map_pixels(const InteractionMap& map, const Eigen::VectorXd& failed, const MapFrame& frame,
                            int columns, int rows);
 
+/// An edge's map and the words of its caption.
+struct EdgeMap {
+  TipEdge edge;
+  const InteractionMap& map;
+  std::string component, of_blade, remark;
+};
+/// "The largest amplitude of all speeds is at contact node 9, the trailing edge."
+std::string largest_place(const TipAmplitudes& amplitudes, const ContactLine& contact);
+
 /// Paper, fig. 22a.
-Figure interaction_map_figure(const SpeedFrame& frame, const MapFrame& axes, TipEdge edge);
-/// Paper, fig. 22b-g.
-Figure interaction_map_parts_figure(const SpeedFrame& frame, const MapFrame& axes);
+Figure interaction_map_figure(const SpeedFrame& frame, const MapFrame& axes, const EdgeMap& edge,
+                              const std::vector<SpeedResponse>& speeds);
+/// Paper, fig. 22b-g; `moving`: the nodal diameters that can.
+Figure interaction_map_parts_figure(const SpeedFrame& frame, const MapFrame& axes, const WaveMaps& waves,
+                                    const std::vector<int>& moving);
 /// Paper, fig. 18a.
-Figure waterfall_figure(const SpeedFrame& frame);
+Figure waterfall_figure(const SpeedFrame& frame, const InteractionMap& map);
 
 }  // namespace tiprub::postprocess

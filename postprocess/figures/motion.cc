@@ -109,9 +109,8 @@ void set_waves(Figure& figure, const TravellingSpectrum& spectrum, const Drawn& 
 
 }  // namespace
 
-Figure sectors_figure(const std::string& name, const SectorSignal& signal, const Study& study) {
+Figure sectors_figure(const std::string& name, const SectorSignal& signal, const SpeedResponse& shown) {
   constexpr double clear_of_each_other = 1.15, smallest_spacing = 1e-9;
-  const SpeedResponse& shown = study.shown_response();
   const int revolutions = drawn_revolutions(shown);
   const int samples_per_revolution = shown.samples_per_revolution;
   const double spacing = std::max(2 * clear_of_each_other * vibration_amplitude(signal.values), smallest_spacing);
@@ -127,11 +126,10 @@ Figure sectors_figure(const std::string& name, const SectorSignal& signal, const
   return figure;
 }
 
-Figure two_way_spectrum_figure(const std::string& name, const SectorSignal& signal, const Study& study) {
-  const SpeedResponse& shown = study.shown_response();
-  const int engine_order_max = study.parameters.engine_order_max;
+Figure two_way_spectrum_figure(const std::string& name, const SectorSignal& signal, const SpeedResponse& shown,
+                               const SpeedFrame& frame, double decades) {
   const TravellingSpectrum spectrum = travelling_spectrum(signal.values, shown.recorded_revolutions);
-  const Drawn drawn = drawn_part(spectrum, engine_order_max, study.parameters.amplitude_decades);
+  const Drawn drawn = drawn_part(spectrum, frame.engine_order_max, decades);
   Figure figure = listed_figure(name, {{"what", signal.what}, {"speed", rpm_text(shown.speed)}});
   figure.drawing.values = {{"lines", drawn.last},
                            {"revolutions", spectrum.revolutions},
@@ -140,16 +138,14 @@ Figure two_way_spectrum_figure(const std::string& name, const SectorSignal& sign
                            {"amplitude", DrawnRange{drawn.low, drawn.high}},
                            {"unit", signal.unit}};
   figure.drawing.tables = {
-      {"expected", {expected_waves(study.response.scene.lobes, engine_order_max, spectrum.sector_count)}}};
+      {"expected", {expected_waves(frame.lobes, frame.engine_order_max, spectrum.sector_count)}}};
   set_waves(figure, spectrum, drawn, signal.unit);
   return figure;
 }
 
-Figure contact_force_figure(const Study& study) {
-  const SpeedResponse& shown = study.shown_response();
-  const SimulatedScene& scene = study.response.scene;
-  const ContactLine& contact = study.model.contact;
-  const int samples = shown.samples_per_revolution, engine_order_max = study.parameters.engine_order_max;
+Figure contact_force_figure(const SimulatedScene& scene, const SpeedResponse& shown, const ContactLine& contact,
+                            int engine_order_max) {
+  const int samples = shown.samples_per_revolution;
   const Eigen::VectorXd leading = tip_force(shown, scene, 0).col(0),
                         trailing = tip_force(shown, scene, contact.trailing_edge()).col(0);
   Figure figure =
@@ -162,10 +158,9 @@ Figure contact_force_figure(const Study& study) {
   return figure;
 }
 
-Figure harmonic_bars_figure(const Study& study) {
-  const MapColumn& shown = study.waves.first().columns[static_cast<std::size_t>(study.shown)];
+Figure harmonic_bars_figure(const MapColumn& shown, int last) {
   const TravellingSpectrum& spectrum = shown.spectrum;
-  const int half = spectrum.sector_count / 2, last = study.parameters.engine_order_max;
+  const int half = spectrum.sector_count / 2;
   int order = 1, diameter = 0;  // of the largest wave
   for (int k = 1; k <= last && k * spectrum.revolutions < spectrum.lines(); ++k) {
     Eigen::Index n = 0;

@@ -17,7 +17,7 @@ double highest_frequency(const SpeedFrame& frame) {
   double highest = 0;
   for (int n = 0; n < frame.nodal_diameters(); ++n)
     for (int family = 0; family < frame.families_at(n); ++family)
-      highest = std::max(highest, frame.study.curves.frequency(n, family, frame.study.range.high));
+      highest = std::max(highest, frame.curves.frequency(n, family, frame.range.high));
   return highest;
 }
 
@@ -46,8 +46,8 @@ Eigen::MatrixXd veering_rows(const SpeedFrame& frame, int families, double speed
   Eigen::MatrixXd rows = Eigen::MatrixXd::Constant(count, 1 + families, std::nan(""));
   for (int n = 0; n < count; ++n) {
     rows(n, 0) = n;
-    for (int family = 0; family < std::min(families, frame.study.curves.families(n)); ++family)
-      rows(n, 1 + family) = frame.study.curves.frequency(n, family, speed);
+    for (int family = 0; family < std::min(families, frame.curves.families(n)); ++family)
+      rows(n, 1 + family) = frame.curves.frequency(n, family, speed);
   }
   return rows;
 }
@@ -86,9 +86,9 @@ Eigen::MatrixXd last_families(const Eigen::MatrixXd& rows, double frequency_high
 /// Names at the lowest drawn speed, of the nodal diameters that move.
 Eigen::MatrixXd first_families(const SpeedFrame& frame, const DrawnRange& axis, double frequency_high) {
   std::vector<NamedCurve> curves;
-  for (const int n : frame.study.response.scene.nodal_diameters)
+  for (const int n : frame.moving)
     for (int family = 0; family < frame.families_at(n); ++family)
-      curves.push_back({frame.study.curves.frequency(n, family, axis.low / rpm_per_rad_s), family + 1});
+      curves.push_back({frame.curves.frequency(n, family, axis.low / rpm_per_rad_s), family + 1});
   return family_rows(curves, frequency_high);
 }
 
@@ -101,19 +101,19 @@ int engine_orders_below(double frequency_high, double speed) {
 /// Engine orders from 0 that stay below a frequency: nodal diameter, frequency [Hz], engine order, and 1 if the
 /// casing drives it.
 Eigen::MatrixXd zigzag_rows(const SpeedFrame& frame, double speed, double frequency_high) {
-  const int last = engine_orders_below(frequency_high, speed), lobes = frame.study.response.scene.lobes;
+  const int last = engine_orders_below(frequency_high, speed), lobes = frame.lobes;
   Eigen::MatrixXd rows(last + 1, 4);
   for (int order = 0; order <= last; ++order)
-    rows.row(order) << aliased_nodal_diameter(order, frame.study.model.sector_count), order * speed * hz_per_rad_s,
-        order, order > 0 && lobes > 0 && order % lobes == 0 ? 1 : 0;
+    rows.row(order) << aliased_nodal_diameter(order, frame.sector_count), order * speed * hz_per_rad_s, order,
+        order > 0 && lobes > 0 && order % lobes == 0 ? 1 : 0;
   return rows;
 }
 
 /// The lowest critical speed other than the shown one; the highest speed if there is none.
 double second_speed(const SpeedFrame& frame, double shown) {
-  for (const CriticalSpeed& critical : frame.study.critical)
+  for (const CriticalSpeed& critical : frame.critical)
     if (critical.speed != shown) return critical.speed;
-  return frame.study.range.high;
+  return frame.range.high;
 }
 
 double highest(const std::vector<Eigen::MatrixXd>& sheets) {
@@ -138,31 +138,29 @@ Table veering_table(int families, const std::vector<double>& speeds, const std::
 
 }  // namespace
 
-Figure campbell_figure(const SpeedFrame& frame) {
+Figure campbell_figure(const SpeedFrame& frame, const LinearRules& rules) {
   const DrawnRange axis{0, frame.axis.high};
   const double frequency_high = headroom * highest_frequency(frame);
   Figure figure = listed_figure("campbell");
-  figure.drawing.values = {
-      {"speed", axis},
-      {"frequency", DrawnRange{0, frequency_high}},
-      {"range", DrawnRange{frame.study.range.low * rpm_per_rad_s, frame.study.range.high * rpm_per_rad_s}}};
-  figure.drawing.tables = {{"aliased", {places(drawn_crossings(frame, frame.study.rules.aliased))}},
-                           {"equation_2", {places(drawn_crossings(frame, frame.study.rules.equation_2))}},
+  figure.drawing.values = {{"speed", axis},
+                           {"frequency", DrawnRange{0, frequency_high}},
+                           {"range", DrawnRange{frame.range.low * rpm_per_rad_s, frame.range.high * rpm_per_rad_s}}};
+  figure.drawing.tables = {{"aliased", {places(drawn_crossings(frame, rules.aliased))}},
+                           {"equation_2", {places(drawn_crossings(frame, rules.equation_2))}},
                            {"family_labels", {first_families(frame, axis, frequency_high)}}};
   set_engine_orders(figure.drawing, frame);
   set_critical_speeds(figure.drawing, frame, frequency_high);
   set_modes(figure.drawing, frame, axis);
   std::vector<double> moves(static_cast<std::size_t>(frame.nodal_diameters()), 0);
-  for (const int n : frame.study.response.scene.nodal_diameters) moves[static_cast<std::size_t>(n)] = 1;
+  for (const int n : frame.moving) moves[static_cast<std::size_t>(n)] = 1;
   figure.drawing.values.emplace_back("moves", moves);
   figure.data = mode_table(frame, figure.drawing);
   return figure;
 }
 
-Figure interference_figure(const SpeedFrame& frame) {
+Figure interference_figure(const SpeedFrame& frame, double shown, int asked_families) {
   constexpr int fewest_families = 5;  // so that veering is seen
-  const int families = std::max(fewest_families, frame.study.parameters.families);
-  const double shown = frame.study.shown_response().speed;
+  const int families = std::max(fewest_families, asked_families);
   const std::vector<double> speeds = {0.0, shown, second_speed(frame, shown)};
   std::vector<Eigen::MatrixXd> modes, zigzags;
   for (const double speed : speeds) modes.push_back(veering_rows(frame, families, speed));
@@ -176,7 +174,7 @@ Figure interference_figure(const SpeedFrame& frame) {
   }
   Figure figure = listed_figure("interference");
   figure.drawing.values = {{"nodal_diameters", frame.nodal_diameters()},
-                           {"sectors", frame.study.model.sector_count},
+                           {"sectors", frame.sector_count},
                            {"families", families},
                            {"frequency", DrawnRange{0, frequency_high}},
                            {"panel_title", titles},

@@ -89,11 +89,12 @@ Eigen::MatrixXd speeds_of(const std::vector<Crossing>& crossings) {
 
 /// Speed [rpm], amplitudes from rest, up and down [mm], the last two again where they differ; NaN where there is
 /// none.
-Eigen::MatrixXd sweep_rows(const SpeedFrame& frame) {
-  Eigen::MatrixXd rows = Eigen::MatrixXd::Constant(frame.speeds.size(), 6, std::nan(""));
-  rows.col(0) = frame.speeds;
-  rows.col(1) = frame.study.amplitudes.largest * mm_per_m;
-  for (const SweepComparison& comparison : frame.study.sweeps) {
+Eigen::MatrixXd sweep_rows(const Eigen::VectorXd& rpm, const TipAmplitudes& amplitudes,
+                           const std::vector<SweepComparison>& sweeps) {
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Constant(rpm.size(), 6, std::nan(""));
+  rows.col(0) = rpm;
+  rows.col(1) = amplitudes.largest * mm_per_m;
+  for (const SweepComparison& comparison : sweeps) {
     const Eigen::Index i = comparison.index;
     const auto enter = [&](const std::optional<SweptSpeed>& swept, Eigen::Index column) {
       if (swept) rows(i, column) = swept->amplitude * mm_per_m;
@@ -211,22 +212,23 @@ std::vector<int> by_energy(const InteractionMap& map) {
 
 }  // namespace
 
-Figure response_figure(const SpeedFrame& frame, const std::vector<AvoidedBand>& avoided) {
-  const Study& study = frame.study;
-  const double highest = study.amplitudes.largest.maxCoeff();
-  Figure figure = listed_figure("response", {{"component", name_of(study.parameters.component)}});
+Figure response_figure(const SpeedFrame& frame, const TipAmplitudes& amplitudes, const LinearRules& rules,
+                       const std::vector<SpeedResponse>& speeds, Component component,
+                       const std::vector<AvoidedBand>& avoided) {
+  const double highest = amplitudes.largest.maxCoeff();
+  Figure figure = listed_figure("response", {{"component", name_of(component)}});
   figure.drawing.values = {{"speed", frame.axis},
                            {"amplitude", DrawnRange{0, highest > 0 ? highest * mm_per_m : 1}},
-                           {"peak_name", peak_names(study.critical)},
+                           {"peak_name", peak_names(frame.critical)},
                            {"concern", concern_names(avoided)}};
   figure.drawing.tables = {bands(avoided),
-                           {"peaks", {peaks(study.critical)}},
-                           {"not_periodic", {not_periodic(study.response.speeds, study.amplitudes)}},
-                           {"aliased", {speeds_of(drawn_crossings(frame, study.rules.aliased))}},
-                           {"equation_2", {speeds_of(drawn_crossings(frame, study.rules.equation_2))}},
+                           {"peaks", {peaks(frame.critical)}},
+                           {"not_periodic", {not_periodic(speeds, amplitudes)}},
+                           {"aliased", {speeds_of(drawn_crossings(frame, rules.aliased))}},
+                           {"equation_2", {speeds_of(drawn_crossings(frame, rules.equation_2))}},
                            {"failed", {frame.failed}},
                            {"outside", {frame.outside}}};
-  figure.data = amplitude_table(frame.speeds, study.amplitudes);
+  figure.data = amplitude_table(frame.speeds, amplitudes);
   return figure;
 }
 
@@ -253,16 +255,18 @@ Figure stress_figure(const SpeedFrame& frame, const FieldResults& fields, const 
   return figure;
 }
 
-Figure sweeps_figure(const SpeedFrame& frame) {
+Figure sweeps_figure(const SpeedFrame& frame, const TipAmplitudes& amplitudes,
+                     const std::vector<SweepComparison>& sweeps, Table record) {
   Figure figure = listed_figure("sweeps");
   figure.drawing.values = {{"speed", frame.axis}, {"sweeps_drawn", 1}};
-  figure.drawing.tables = {{"sweeps", {sweep_rows(frame)}}, {"attracting", {}}, {"repelling", {}}};
-  figure.data = sweep_record(frame.study);
+  figure.drawing.tables = {
+      {"sweeps", {sweep_rows(frame.speeds, amplitudes, sweeps)}}, {"attracting", {}}, {"repelling", {}}};
+  figure.data = std::move(record);
   return figure;
 }
 
-Figure branches_figure(const SpeedFrame& frame) {
-  const std::vector<OrbitBranch>& branches = frame.study.response.branches;
+Figure branches_figure(const TipAmplitudes& amplitudes, const Eigen::VectorXd& speeds,
+                       const std::vector<SweepComparison>& sweeps, const std::vector<OrbitBranch>& branches) {
   ScriptTable attracting{"attracting", {}}, repelling{"repelling", {}};
   DrawnRange range{branches.front().speed[0] * rpm_per_rad_s, 0};
   for (const OrbitBranch& branch : branches) {
@@ -272,28 +276,26 @@ Figure branches_figure(const SpeedFrame& frame) {
     range.high = std::max(range.high, branch.speed.maxCoeff() * rpm_per_rad_s);
   }
   Figure figure = listed_figure("branches");
-  figure.drawing.values = {{"speed", range}, {"sweeps_drawn", frame.study.sweeps.empty() ? 0 : 1}};
-  figure.drawing.tables = {{"sweeps", {sweep_rows(frame)}}, std::move(attracting), std::move(repelling)};
+  figure.drawing.values = {{"speed", range}, {"sweeps_drawn", sweeps.empty() ? 0 : 1}};
+  figure.drawing.tables = {
+      {"sweeps", {sweep_rows(speeds, amplitudes, sweeps)}}, std::move(attracting), std::move(repelling)};
   figure.data = branch_record(branches);
   return figure;
 }
 
-Figure nodal_diameter_tracking_figure(const SpeedFrame& frame) {
+Figure nodal_diameter_tracking_figure(const SpeedFrame& frame, const InteractionMap& map) {
   constexpr std::size_t followed = 3;
-  const InteractionMap& map = frame.study.waves.first();
   std::vector<Panel> panels;
-  for (const int order : largest_engine_orders(map, frame.study.parameters.engine_order_max, followed))
+  for (const int order : largest_engine_orders(map, frame.engine_order_max, followed))
     panels.push_back({"EO " + std::to_string(order), nodal_diameter_tracking(map, order)});
   return tracking_figure(frame, "nodal_diameter_tracking", panels,
                          numbered("ND", counted_from(0, panels.front().tracking.curves.cols())));
 }
 
-Figure engine_order_tracking_figure(const SpeedFrame& frame) {
+Figure engine_order_tracking_figure(const SpeedFrame& frame, const InteractionMap& map) {
   constexpr std::size_t followed = 3, averaged = 6;
-  const InteractionMap& map = frame.study.waves.first();
   constexpr double moving = 0.01;  // of the mean square of the motion
-  const std::vector<int> engine_orders =
-      largest_engine_orders(map, frame.study.parameters.engine_order_max, averaged);
+  const std::vector<int> engine_orders = largest_engine_orders(map, frame.engine_order_max, averaged);
   const Eigen::VectorXd shares = energy_shares(map);
   std::vector<Panel> panels;
   const std::vector<int> nodal_diameters = by_energy(map);

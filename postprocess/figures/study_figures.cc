@@ -12,31 +12,44 @@ namespace tiprub::postprocess {
 
 namespace {
 
-std::vector<Figure> map_figures(const SpeedFrame& frame) {
-  const MapFrame axes = map_frame(frame);
-  const TipEdge asked = frame.study.waves.asked;
-  return {interaction_map_figure(frame, axes, asked), interaction_map_figure(frame, axes, other_than(asked)),
-          interaction_map_parts_figure(frame, axes), contact_map_figure(frame, TipEdge::leading),
-          contact_map_figure(frame, TipEdge::trailing)};
+void append(std::vector<Figure>& figures, std::vector<Figure> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(figures));
+}
+
+std::vector<Figure> map_figures(const Study& study, const SpeedFrame& frame) {
+  const std::string of_blade = of_main_blade(study.model.contact);
+  const MapFrame axes = map_frame(frame, study.waves, study.parameters);
+  std::vector<Figure> figures;
+  for (const TipEdge edge : {study.waves.asked, other_than(study.waves.asked)})
+    figures.push_back(interaction_map_figure(frame, axes,
+                                             {edge, study.waves.of(edge), name_of(study.parameters.component),
+                                              of_blade, largest_place(study.amplitudes, study.model.contact)},
+                                             study.response.speeds));
+  figures.push_back(interaction_map_parts_figure(frame, axes, study.waves, study.response.scene.nodal_diameters));
+  for (const TipEdge edge : {TipEdge::leading, TipEdge::trailing})
+    figures.push_back(contact_map_figure(frame, edge, study.contact, of_blade));
+  return figures;
 }
 
 /// The shown speed, of the contact node whose map comes first.
-std::vector<Figure> motion_figures(const Study& study) {
+std::vector<Figure> motion_figures(const Study& study, const SpeedFrame& frame) {
   const SpeedResponse& shown = study.shown_response();
   const SimulatedScene& scene = study.response.scene;
   const ContactLine& contact = study.model.contact;
   const Component component = study.parameters.component;
   const int node = study.waves.first().node;
+  const double decades = study.parameters.amplitude_decades;
   const std::string place = name_of(study.waves.asked) + of_main_blade(contact);
   const SectorSignal motion{std::string("The ") + name_of(component) + ", " + place, "mm",
                             tip_motion(shown, scene, contact, node, component) * mm_per_m},
       force{"The contact force at the " + place, "N", tip_force(shown, scene, node)};
-  return {sectors_figure("tip_motion", motion, study),
-          two_way_spectrum_figure("tip_spectrum", motion, study),
-          contact_force_figure(study),
-          sectors_figure("force_of_sectors", force, study),
-          two_way_spectrum_figure("force_spectrum", force, study),
-          harmonic_bars_figure(study)};
+  return {sectors_figure("tip_motion", motion, shown),
+          two_way_spectrum_figure("tip_spectrum", motion, shown, frame, decades),
+          contact_force_figure(scene, shown, contact, frame.engine_order_max),
+          sectors_figure("force_of_sectors", force, shown),
+          two_way_spectrum_figure("force_spectrum", force, shown, frame, decades),
+          harmonic_bars_figure(study.waves.first().columns[static_cast<std::size_t>(study.shown)],
+                               frame.engine_order_max)};
 }
 
 }  // namespace
@@ -44,7 +57,8 @@ std::vector<Figure> motion_figures(const Study& study) {
 std::vector<Figure> response_figures(const Study& study, const FieldResults& fields) {
   const SpeedFrame frame = speed_frame(study);
   const std::vector<AvoidedBand> avoided = speeds_to_avoid(study, fields);
-  std::vector<Figure> figures = {response_figure(frame, avoided)};
+  std::vector<Figure> figures = {response_figure(frame, study.amplitudes, study.rules, study.response.speeds,
+                                                 study.parameters.component, avoided)};
   if (const auto budgets = error_budgets(study, fields); !budgets.empty())
     figures.push_back(error_budget_figure(largest_budget(budgets)));
   if (fields.over_speed.size() > 0) figures.push_back(stress_figure(frame, fields, avoided));
@@ -53,15 +67,21 @@ std::vector<Figure> response_figures(const Study& study, const FieldResults& fie
 
 std::vector<Figure> study_figures(const Study& study) {
   const SpeedFrame frame = speed_frame(study);
-  std::vector<Figure> optional;
-  if (!study.sweeps.empty()) optional.push_back(sweeps_figure(frame));
-  if (!study.response.branches.empty()) optional.push_back(branches_figure(frame));
-  return joined<Figure>({optional,
-                         map_figures(frame),
-                         {campbell_figure(frame), interference_figure(frame)},
-                         motion_figures(study),
-                         {nodal_diameter_tracking_figure(frame), engine_order_tracking_figure(frame),
-                          waterfall_figure(frame), casing_figure(study)}});
+  const InteractionMap& map = study.waves.first();
+  std::vector<Figure> figures;
+  if (!study.sweeps.empty())
+    figures.push_back(sweeps_figure(frame, study.amplitudes, study.sweeps,
+                                    sweep_record(study.response.speeds, study.amplitudes, study.sweeps)));
+  if (!study.response.branches.empty())
+    figures.push_back(branches_figure(study.amplitudes, frame.speeds, study.sweeps, study.response.branches));
+  append(figures, map_figures(study, frame));
+  append(figures, {campbell_figure(frame, study.rules),
+                   interference_figure(frame, study.shown_response().speed, study.parameters.families)});
+  append(figures, motion_figures(study, frame));
+  append(figures, {nodal_diameter_tracking_figure(frame, map), engine_order_tracking_figure(frame, map),
+                   waterfall_figure(frame, map),
+                   casing_figure(study.response.scene, study.shown_response(), study.model.contact)});
+  return figures;
 }
 
 std::vector<Figure> sector_figures(const Study& study, const FieldStudy& fields) {

@@ -30,19 +30,24 @@ Figure mesh_error_figure(const FieldStudy& fields);
 
 // over_speed.cc
 /// Tip amplitude over speed, peaks labelled.
-Figure response_figure(const SpeedFrame& frame, const std::vector<AvoidedBand>& avoided);
+Figure response_figure(const SpeedFrame& frame, const TipAmplitudes& amplitudes, const LinearRules& rules,
+                       const std::vector<SpeedResponse>& speeds, Component component,
+                       const std::vector<AvoidedBand>& avoided);
 /// Stress of the vibration over speed, with what Goodman's rule allows; needs FieldResults::over_speed.
 Figure stress_figure(const SpeedFrame& frame, const FieldResults& fields, const std::vector<AvoidedBand>& avoided);
-Figure sweeps_figure(const SpeedFrame& frame);  ///< where sweeps up and down differ; needs sweeps
-/// Orbits over speed, stable or not; needs branches.
-Figure branches_figure(const SpeedFrame& frame);
-Figure nodal_diameter_tracking_figure(const SpeedFrame& frame);  ///< paper, fig. 25
-Figure engine_order_tracking_figure(const SpeedFrame& frame);    ///< paper, fig. 26
+/// Where sweeps up and down differ; `record`: their table.
+Figure sweeps_figure(const SpeedFrame& frame, const TipAmplitudes& amplitudes,
+                     const std::vector<SweepComparison>& sweeps, Table record);
+/// Orbits over speed [rpm], stable or not; needs branches.
+Figure branches_figure(const TipAmplitudes& amplitudes, const Eigen::VectorXd& speeds,
+                       const std::vector<SweepComparison>& sweeps, const std::vector<OrbitBranch>& branches);
+Figure nodal_diameter_tracking_figure(const SpeedFrame& frame, const InteractionMap& map);  ///< paper, fig. 25
+Figure engine_order_tracking_figure(const SpeedFrame& frame, const InteractionMap& map);    ///< paper, fig. 26
 
 // natural_frequencies.cc
-Figure campbell_figure(const SpeedFrame& frame);  ///< paper, fig. 8
+Figure campbell_figure(const SpeedFrame& frame, const LinearRules& rules);  ///< paper, fig. 8
 /// At rest, at the shown speed and at the lowest critical one (paper, figs. 4, 13).
-Figure interference_figure(const SpeedFrame& frame);
+Figure interference_figure(const SpeedFrame& frame, double shown_speed, int asked_families);
 
 // motion.cc
 /// A signal of all sectors at the speed that is shown.
@@ -52,19 +57,22 @@ struct SectorSignal {
   Eigen::MatrixXd values;  ///< samples x sectors
 };
 /// Paper, figs. 10, 16: `name` is tip_motion or force_of_sectors.
-Figure sectors_figure(const std::string& name, const SectorSignal& signal, const Study& study);
+Figure sectors_figure(const std::string& name, const SectorSignal& signal, const SpeedResponse& shown);
 /// Paper, figs. 11, 17, made directional: `name` is tip_spectrum or force_spectrum.
-Figure two_way_spectrum_figure(const std::string& name, const SectorSignal& signal, const Study& study);
+Figure two_way_spectrum_figure(const std::string& name, const SectorSignal& signal, const SpeedResponse& shown,
+                               const SpeedFrame& frame, double decades);
 /// Paper, figs. 14, 15.
-Figure contact_force_figure(const Study& study);
+Figure contact_force_figure(const SimulatedScene& scene, const SpeedResponse& shown, const ContactLine& contact,
+                            int engine_order_max);
 /// Through the largest wave (paper, fig. 20).
-Figure harmonic_bars_figure(const Study& study);
+Figure harmonic_bars_figure(const MapColumn& shown, int engine_order_max);
 
 // casing.cc
 /// Paper, fig. 24.
-Figure contact_map_figure(const SpeedFrame& frame, TipEdge edge);
+Figure contact_map_figure(const SpeedFrame& frame, TipEdge edge, const ContactMaps& maps,
+                          const std::string& of_blade);
 /// Paper, fig. 21.
-Figure casing_figure(const Study& study);
+Figure casing_figure(const SimulatedScene& scene, const SpeedResponse& shown, const ContactLine& contact);
 
 // study_figures.cc
 /// Of one critical speed, in its own units.

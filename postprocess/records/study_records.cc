@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "postprocess/analysis/other_motions.h"
+#include "postprocess/fields/field_study.h"
+#include "postprocess/tables/table.h"
 #include "simulate/response/speed_numbers.h"
 
 namespace tiprub::postprocess {
@@ -185,13 +187,14 @@ Table speed_record(const Study& study, const FieldResults& fields) {
   return table;
 }
 
-Table sweep_record(const Study& study) {
+Table sweep_record(const std::vector<SpeedResponse>& speeds, const TipAmplitudes& amplitudes,
+                   const std::vector<SweepComparison>& sweeps) {
   Table table{{"speed [rpm]", "from rest [mm]", "up [mm]", "down [mm]", "motion from rest", "motion up",
                "motion down", "up from rest [1]", "down from rest [1]", "differ"},
               {}};
-  for (const SweepComparison& compared : study.sweeps) {
-    const SpeedResponse& from_rest = study.speed_at(compared.index);
-    table.rows.push_back({from_rest.speed * rpm_per_rad_s, study.amplitudes.largest[compared.index] * mm_per_m,
+  for (const SweepComparison& compared : sweeps) {
+    const SpeedResponse& from_rest = speeds[static_cast<std::size_t>(compared.index)];
+    table.rows.push_back({from_rest.speed * rpm_per_rad_s, amplitudes.largest[compared.index] * mm_per_m,
                           amplitude_cell(compared.up), amplitude_cell(compared.down),
                           motion_text(from_rest.motion, from_rest.period_beats), swept_motion(compared.up),
                           swept_motion(compared.down), difference_cell(compared.up), difference_cell(compared.down),

@@ -31,7 +31,8 @@ std::string whole_wheel_text(const SpeedResponse& speed);
 Table speed_record(const Study& study, const FieldResults& fields);
 
 /// Every speed from rest, swept up and swept down: sweeps.csv. Needs sweeps.
-Table sweep_record(const Study& study);
+Table sweep_record(const std::vector<SpeedResponse>& speeds, const TipAmplitudes& amplitudes,
+                   const std::vector<SweepComparison>& sweeps);
 
 /// Every orbit of every branch, in the order along the branch: branches.csv. Needs branches.
 Table branch_record(const std::vector<OrbitBranch>& branches);

@@ -85,7 +85,8 @@ void write_tables(const Study& study, const FieldResults& fields, const std::fil
   if (!study.response.branches.empty()) write_csv(branch_record(study.response.branches), folder / "branches.csv");
   if (const Table budget = error_budget_record(study, fields); !budget.rows.empty())
     write_csv(budget, folder / "error_budget.csv");
-  if (!study.sweeps.empty()) write_csv(sweep_record(study), folder / "sweeps.csv");
+  if (!study.sweeps.empty())
+    write_csv(sweep_record(study.response.speeds, study.amplitudes, study.sweeps), folder / "sweeps.csv");
 }
 
 }  // namespace

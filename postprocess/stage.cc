@@ -19,7 +19,6 @@
 #include "postprocess/figures/study_figures.h"
 #include "postprocess/records/study_records.h"
 #include "postprocess/report/report.h"
-#include "postprocess/report/verdict.h"
 #include "reduce/model/reduced_model_file.h"
 #include "simulate/response/response_file.h"
 
@@ -30,7 +29,7 @@ namespace tiprub::postprocess {
 namespace {
 
 struct Inputs {
-  ReportSource source;
+  std::string title, case_text;  ///< of the case
   PostprocessParameters parameters;
   std::optional<MaterialStrength> strength;
   ReducedModel model;
@@ -51,7 +50,8 @@ Inputs read_inputs(const StageArguments& arguments, const PostprocessOptions& op
   inputs.parameters = read_postprocess_parameters(table);
   inputs.strength = read_material_strength(file);
   if (arguments.verbosity == Verbosity::verbose) say(arguments, "[postprocess]\n" + table.resolved());
-  inputs.source = {file.title(), file.source()};
+  inputs.title = file.title();
+  inputs.case_text = file.source();
   inputs.model = read_model(arguments.inputs[1]);
   inputs.response = read_response(arguments.inputs[2]);
   check_together(inputs.model, inputs.response, arguments.inputs[2].string());
@@ -122,13 +122,13 @@ std::pair<ReportContents, std::future<void>> run(Inputs inputs, const Postproces
   const std::optional<FieldsReader> fields = open_fields(options, inputs.model);
   const std::optional<FieldsReader> others = open_budget_fields(options, inputs.response);
   inputs.run.done("reading");
-  ReportContents contents{.study = study_of(inputs), .source = std::move(inputs.source)};
+  ReportContents contents{.study = study_of(inputs), .title = inputs.title, .case_text = inputs.case_text};
   const Study& study = contents.study;
   inputs.run.done("study");
   for (const fs::path& other : options.compared) {
     contents.others.push_back(read_other_report(other, study));
     compare_cases(contents.others.back(),
-                  fs::is_directory(other) ? contents.source.case_text : study.response.scene.swept_case());
+                  fs::is_directory(other) ? contents.case_text : study.response.scene.swept_case());
   }
   const std::vector<Figure> figures = study_figures(study);
   std::future<void> drawing = start_drawing(figures, folder);

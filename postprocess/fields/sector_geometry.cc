@@ -37,27 +37,6 @@ std::string length_words(double length) {
   return " at " + std::to_string(std::lround(100 * length)) + " % of its length";
 }
 
-bool all_in(const SurfaceFace& face, const std::vector<char>& set) {
-  return std::all_of(face.nodes.begin(), face.nodes.end(), [&](int node) { return set[node] != 0; });
-}
-
-std::vector<char> marked(const SectorFields& sector, const char* name) {
-  std::vector<char> set(static_cast<std::size_t>(sector.nodes.cols()), 0);
-  for (const int node : sector.node_set(name)) set[node] = 1;
-  return set;
-}
-
-std::vector<SurfaceFace> surface_of(const SectorFields& sector, const std::vector<std::vector<int>>& cells) {
-  const std::vector<char> low = marked(sector, "cyclic_low"), high = marked(sector, "cyclic_high");
-  std::vector<SurfaceFace> surface;
-  for (FreeFace& found : free_faces(sector.nodes, cells)) {
-    SurfaceFace& face = surface.emplace_back(SurfaceFace{std::move(found), SurfaceFace::Side::free});
-    if (all_in(face, low)) face.side = SurfaceFace::Side::cyclic_low;
-    if (all_in(face, high)) face.side = SurfaceFace::Side::cyclic_high;
-  }
-  return surface;
-}
-
 }  // namespace
 
 std::string spoken(std::string part) {
@@ -156,12 +135,24 @@ std::string BladePlaces::words(int node) const {
   return spoken(part(node));
 }
 
-std::vector<SurfaceFace> sector_surface(const SectorFields& sector) {
-  return surface_of(sector, listed_cells(sector.cells));
+std::vector<SurfaceFace> sector_surface(const SectorFields& sector, const Eigen::MatrixXi& cells) {
+  const auto all_in = [&](const SurfaceFace& face, const std::vector<int>& sorted) {
+    return std::ranges::all_of(face.nodes, [&](int node) { return std::ranges::binary_search(sorted, node); });
+  };
+  std::vector<int> low = sector.node_set("cyclic_low"), high = sector.node_set("cyclic_high");
+  std::ranges::sort(low);
+  std::ranges::sort(high);
+  std::vector<SurfaceFace> surface;
+  for (FreeFace& found : free_faces(sector.nodes, listed_cells(cells))) {
+    SurfaceFace& face = surface.emplace_back(SurfaceFace{std::move(found), SurfaceFace::Side::free});
+    if (all_in(face, low)) face.side = SurfaceFace::Side::cyclic_low;
+    if (all_in(face, high)) face.side = SurfaceFace::Side::cyclic_high;
+  }
+  return surface;
 }
 
-std::vector<SurfaceFace> surface_of_cells(const SectorFields& sector, const std::vector<int>& cells) {
-  return surface_of(sector, listed_cells(sector.cells(Eigen::all, cells)));
+std::vector<SurfaceFace> sector_surface(const SectorFields& sector) {
+  return sector_surface(sector, sector.cells);
 }
 
 }  // namespace tiprub::postprocess

@@ -64,6 +64,6 @@ struct SurfaceFace : FreeFace {
 /// The surface of a sector; the faces on the cut planes are marked.
 std::vector<SurfaceFace> sector_surface(const SectorFields& sector);
 /// The surface of some of its cells.
-std::vector<SurfaceFace> surface_of_cells(const SectorFields& sector, const std::vector<int>& cells);
+std::vector<SurfaceFace> sector_surface(const SectorFields& sector, const Eigen::MatrixXi& cells);
 
 }  // namespace tiprub::postprocess

@@ -63,7 +63,8 @@ std::vector<SectionLine> outlines(const SectorFields& sector) {
   const auto add = [&](const std::string& name, const std::vector<SurfaceFace>& of) {
     for (Eigen::Matrix2Xd& points : meridional_outline(sector.nodes, of)) lines.push_back({name, std::move(points)});
   };
-  for (const auto& [part, cells] : sector.parts) add(spoken(part), surface_of_cells(sector, cells));
+  for (const auto& [part, cells] : sector.parts)
+    add(spoken(part), sector_surface(sector, sector.cells(Eigen::all, cells)));
   if (sector.parts.empty()) add("wheel", sector_surface(sector));
   return lines;
 }

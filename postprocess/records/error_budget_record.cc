@@ -8,7 +8,7 @@
 #include <map>
 
 #include "postprocess/records/exactness_record.h"
-#include "postprocess/records/left_out_effects.h"
+#include "postprocess/records/scene_needs_record.h"
 #include "postprocess/records/study_records.h"
 
 namespace tiprub::postprocess {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/records/left_out_effects.h"
+#include "postprocess/records/scene_needs_record.h"
 
 #include <algorithm>
 #include <cmath>

@@ -21,7 +21,6 @@
 #include "postprocess/records/error_budget_record.h"
 #include "postprocess/records/exactness_record.h"
 #include "postprocess/records/study_records.h"
-#include "postprocess/report/verdict.h"
 #include "postprocess/tables/packing.h"
 #include "postprocess/tables/table.h"
 
@@ -265,7 +264,7 @@ std::string joined(const std::array<std::pair<std::string_view, std::string_view
   return text;
 }
 
-std::string record(const Study& study, const FieldResults& fields, const ReportSource& source) {
+std::string record(const Study& study, const FieldResults& fields, const std::string& case_text) {
   const auto folded = [](const std::string& title, const std::string& body, const std::string& file = "") {
     return "<details><summary>" + title + "</summary>" + body +
            (file.empty() ? "" : "<p class=\"sub\">" + named(file) + "</p>") + "</details>\n";
@@ -282,7 +281,7 @@ std::string record(const Study& study, const FieldResults& fields, const ReportS
               : folded("Branches of orbits", html_table(branch_record(study.response.branches)), "branches.csv")) +
          folded("How the contact drifts with speed", html_table(drift_record(study.contact, study.model.contact)),
                 "contact_drift.csv") +
-         folded("The case file", listing(source.case_text), "case.toml") +
+         folded("The case file", listing(case_text), "case.toml") +
          folded("Where the response comes from", listing(study.response.scene.provenance)) +
          folded("Where the model comes from", listing(study.model.provenance));
 }
@@ -341,11 +340,11 @@ std::string wheel_data_section(const ReportContents& contents) {
 }  // namespace
 
 std::string report_page(const ReportContents& contents, const std::filesystem::path& folder) {
-  const auto& [study, source, full_fields, fields, needs, figures, numbers, others, run] = contents;
+  const auto& [study, title, case_text, full_fields, fields, needs, figures, numbers, others, run] = contents;
   const bool none = study.critical.empty();
   return filled(
       without_first_line(embedded::page_files::page_html),
-      {{"title", escaped(source.title.empty() ? "Blade-tip rub" : source.title)},
+      {{"title", escaped(title.empty() ? "Blade-tip rub" : title)},
        {"style", joined(embedded::page_styles::files)},
        {"script", joined(embedded::page_scripts::files)},
        {"made_by", escaped(run.in_words().front().text)},
@@ -366,7 +365,7 @@ std::string report_page(const ReportContents& contents, const std::filesystem::p
        {"exactness", html_table(exactness_record(study))},
        {"needs", html_table(scene_needs_record(needs))},
        {"figures", figure_sections(figures, folder)},
-       {"record", record(study, fields, source)},
+       {"record", record(study, fields, case_text)},
        {"speed_data", speed_data(study, fields, others)},
        {"comparison", comparison_section(contents)},
        {"wheel_section", wheel_section(full_fields)},

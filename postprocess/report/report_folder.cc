@@ -10,7 +10,6 @@
 #include "postprocess/records/error_budget_record.h"
 #include "postprocess/records/exactness_record.h"
 #include "postprocess/records/study_records.h"
-#include "postprocess/report/verdict.h"
 
 namespace tiprub::postprocess {
 
@@ -56,7 +55,7 @@ std::string json_summary(const ReportContents& contents) {
   ordered_json summary = {{"schema", "tiprub-summary"},
                           {"schema_version", 1},
                           {"generator", program_version("tiprub-postprocess")},
-                          {"title", contents.source.title},
+                          {"title", contents.title},
                           {"verdict", answers_of(verdict(study, contents.field_results, contents.needs))},
                           {"scene", answers_of(scene_in_brief(study))},
                           {"scope", lines_of(study.response.scene.scope)},
@@ -103,7 +102,7 @@ void write_report_folder(ReportContents& contents, std::future<void> drawing, co
     write_csv(comparison_record(contents.numbers, contents.others), folder / "comparison.csv");
     write_csv(reports_record(contents.numbers, contents.others), folder / "reports.csv");
   }
-  write_text(contents.source.case_text, folder / "case.toml");
+  write_text(contents.case_text, folder / "case.toml");
   write_text(json_summary(contents), folder / "summary.json");
   write_text(to_json(contents.numbers), folder / numbers_file);
   drawing.get();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/report/verdict.h"
+#include "postprocess/report/report.h"
 
 #include <algorithm>
 #include <cmath>

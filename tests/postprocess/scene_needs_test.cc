@@ -12,8 +12,7 @@
 
 #include "mesh/cells/cell_kind.h"
 #include "postprocess/fields/cell_stress.h"
-#include "postprocess/records/left_out_effects.h"
-#include "postprocess/report/verdict.h"
+#include "postprocess/report/report.h"
 #include "synthetic_fields.h"
 #include "synthetic_scene.h"
 

@@ -10,7 +10,7 @@
 
 #include "postprocess/analysis/study.h"
 #include "postprocess/records/exactness_record.h"
-#include "postprocess/report/verdict.h"
+#include "postprocess/report/report.h"
 #include "postprocess/tables/table.h"
 #include "synthetic_scene.h"
 

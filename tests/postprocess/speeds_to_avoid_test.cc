@@ -9,7 +9,7 @@
 
 #include "postprocess/fields/field_study.h"
 #include "postprocess/records/error_budget_record.h"
-#include "postprocess/report/verdict.h"
+#include "postprocess/report/report.h"
 #include "postprocess/tables/table.h"
 #include "synthetic_scene.h"
 

@@ -103,10 +103,6 @@ std::future<void> start_drawing(std::vector<Figure> figures, const fs::path& fol
                     [figures = std::move(figures), folder] { draw_figures(figures, folder / "figures"); });
 }
 
-void append(std::vector<Figure>& figures, const std::vector<Figure>& more) {
-  figures.insert(figures.end(), more.begin(), more.end());
-}
-
 /// Checks the inputs and prints what the scene needs, which takes no pictures and no stress.
 void check(Inputs inputs, const PostprocessOptions& options) {
   const std::optional<FieldsReader> fields = open_fields(options, inputs.model);
@@ -143,11 +139,8 @@ std::pair<ReportContents, std::future<void>> run(Inputs inputs, const Postproces
     append(last, {comparison_figure(contents.numbers, contents.others),
                   comparison_map_figure(study, contents.numbers, contents.others.front())});
   drawing.get();
-  std::vector<Figure> to_draw = contents.figures;
-  append(to_draw, last);
-  drawing = start_drawing(std::move(to_draw), folder);
-  append(contents.figures, figures);
-  append(contents.figures, last);
+  drawing = start_drawing(joined<Figure>({contents.figures, last}), folder);
+  contents.figures = joined<Figure>({contents.figures, figures, last});
   inputs.run.done("fields");
   contents.run = std::move(inputs.run);
   return {std::move(contents), std::move(drawing)};

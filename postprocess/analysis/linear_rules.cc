@@ -36,11 +36,6 @@ void append_crossings(std::vector<Crossing>& crossings, const FrequencyCurves& c
   }
 }
 
-void sort_by_speed(std::vector<Crossing>& crossings) {
-  std::stable_sort(crossings.begin(), crossings.end(),
-                   [](const Crossing& a, const Crossing& b) { return a.speed < b.speed; });
-}
-
 constexpr double same_order = 1e-9;
 constexpr double moving_wave = 0.1;  // of the largest amplitude of all
 
@@ -131,7 +126,7 @@ std::vector<Crossing> equation_2_crossings(const FrequencyCurves& curves, int se
   std::vector<Crossing> crossings;
   for (int n = 1; n <= sector_count / 2; ++n)  // eq. 2 with f_c = 0
     append_crossings(crossings, curves, families, n, n, range);
-  sort_by_speed(crossings);
+  std::ranges::stable_sort(crossings, {}, &Crossing::speed);
   return crossings;
 }
 
@@ -142,7 +137,7 @@ std::vector<Crossing> aliased_crossings(const FrequencyCurves& curves, int secto
   for (const int order : engine_orders)
     if (lobes > 0 && order % lobes == 0)  // eq. 16: k N_l Omega; on n: eq. 17
       append_crossings(crossings, curves, families, order, signed_nodal_diameter(order, sector_count), range);
-  sort_by_speed(crossings);
+  std::ranges::stable_sort(crossings, {}, &Crossing::speed);
   return crossings;
 }
 

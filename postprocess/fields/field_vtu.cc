@@ -61,9 +61,9 @@ void write_cells(std::ostream& out, const Eigen::MatrixXi& cells) {
 
 void write_numbers(std::ostream& out, const std::vector<VtuNumber>& numbers) {
   out << "<FieldData>\n";
-  for (const VtuNumber& number : numbers)
-    out << "<DataArray Name=\"" << number.name << "\" type=\"Float64\" NumberOfTuples=\"1\" format=\"ascii\">"
-        << number.value << "</DataArray>\n";
+  for (const auto& [name, value] : numbers)
+    out << "<DataArray Name=\"" << name << "\" type=\"Float64\" NumberOfTuples=\"1\" format=\"ascii\">" << value
+        << "</DataArray>\n";
   out << "</FieldData>\n";
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "postprocess/fields/field_study.h"
@@ -23,10 +24,7 @@ struct VtuArray {
 };
 
 /// A number for the whole file (its field data), for instance "speed" in rad/s.
-struct VtuNumber {
-  std::string name;
-  double value = 0;
-};
+using VtuNumber = std::pair<std::string, double>;
 
 /// Writes a VTK XML file of an unstructured grid; `of_cells` are fields at the cells. Arrays are single-precision,
 /// little-endian, compressed, in base 64; the numbers for the whole file are decimal. The DataOut of deal.II 9.4

@@ -113,11 +113,6 @@ std::string equation_2_text(const Crossing& crossing, int sector_count) {
   return "excluded: engine order is not the nodal diameter";
 }
 
-bool moves(const SimulatedScene& scene, int signed_nodal_diameter) {
-  const std::vector<int>& moving = scene.nodal_diameters;
-  return std::find(moving.begin(), moving.end(), std::abs(signed_nodal_diameter)) != moving.end();
-}
-
 /// Whether the rule with aliasing (eq. 17) lists a crossing of eq. 2 as well.
 bool listed_with_aliasing(const SimulatedScene& scene, const Crossing& crossing) {
   const int lobes = scene.lobes;
@@ -126,14 +121,15 @@ bool listed_with_aliasing(const SimulatedScene& scene, const Crossing& crossing)
 
 void append_crossing(Table& table, const Study& study, const Crossing& crossing, const std::string& aliasing) {
   const int sectors = study.model.sector_count;
+  const bool can_move =
+      std::ranges::count(study.response.scene.nodal_diameters, std::abs(crossing.signed_nodal_diameter)) > 0;
   const bool met = std::any_of(study.critical.begin(), study.critical.end(), [&](const CriticalSpeed& critical) {
     return predicts(crossing, critical, study.parameters.prediction_tolerance);
   });
   table.rows.push_back({crossing.speed * rpm_per_rad_s, crossing.frequency, crossing.engine_order,
                         crossing.signed_nodal_diameter,
                         name_of(wave_direction(crossing.signed_nodal_diameter, sectors)), crossing.family + 1,
-                        equation_2_text(crossing, sectors), aliasing,
-                        yes_or_no(moves(study.response.scene, crossing.signed_nodal_diameter)),
+                        equation_2_text(crossing, sectors), aliasing, yes_or_no(can_move),
                         crossing.amplitude * mm_per_m, yes_or_no(met)});
 }
 

@@ -96,13 +96,12 @@ void set_engine_orders(Drawing& drawing, const SpeedFrame& frame) {
 }
 
 void set_critical_speeds(Drawing& drawing, const SpeedFrame& frame, double frequency_high) {
-  Eigen::MatrixXd rows(static_cast<Eigen::Index>(frame.critical.size()), 2);
-  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-    const CriticalSpeed& critical = frame.critical[static_cast<std::size_t>(i)];
+  std::vector<std::array<double, 2>> rows;
+  for (const CriticalSpeed& critical : frame.critical) {
     const double frequency = critical.naming_wave().engine_order * critical.speed * hz_per_rad_s;
-    rows.row(i) << critical.speed * rpm_per_rad_s, std::min(frequency, frequency_high);
+    rows.push_back({critical.speed * rpm_per_rad_s, std::min(frequency, frequency_high)});
   }
-  drawing.tables.push_back({"critical", {rows}});
+  drawing.tables.push_back({"critical", {as_sheet(rows)}});
 }
 
 void set_modes(Drawing& drawing, const SpeedFrame& frame, const DrawnRange& axis) {

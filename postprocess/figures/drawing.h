@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -36,6 +37,15 @@ struct ScriptTable {
 /// A sheet of one column.
 inline Eigen::MatrixXd as_column(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+/// A sheet of these rows.
+template <std::size_t columns>
+Eigen::MatrixXd as_sheet(const std::vector<std::array<double, columns>>& rows) {
+  Eigen::MatrixXd sheet(rows.size(), columns);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    sheet.row(static_cast<Eigen::Index>(i)) = Eigen::RowVectorXd::Map(rows[i].data(), columns);
+  return sheet;
 }
 
 /// One picture: a script of scripts/, which decides how it looks, and what that script reads.

@@ -23,10 +23,9 @@ double highest_frequency(const SpeedFrame& frame) {
 
 /// Speed [rpm], frequency [Hz].
 Eigen::MatrixXd places(const std::vector<Crossing>& crossings) {
-  Eigen::MatrixXd rows(static_cast<Eigen::Index>(crossings.size()), 2);
-  for (std::size_t i = 0; i < crossings.size(); ++i)
-    rows.row(static_cast<Eigen::Index>(i)) << crossings[i].speed * rpm_per_rad_s, crossings[i].frequency;
-  return rows;
+  std::vector<std::array<double, 2>> rows;
+  for (const Crossing& crossing : crossings) rows.push_back({crossing.speed * rpm_per_rad_s, crossing.frequency});
+  return as_sheet(rows);
 }
 
 /// The drawing's table of modes, one line a point.
@@ -62,16 +61,14 @@ struct NamedCurve {
 Eigen::MatrixXd family_rows(std::vector<NamedCurve> curves, double frequency_high) {
   constexpr double name_height = 0.033;  // of the frequencies that are drawn
   std::ranges::sort(curves, {}, &NamedCurve::frequency);
-  std::vector<Eigen::RowVector3d> names;
+  std::vector<std::array<double, 3>> names;
   for (const auto& [frequency, family] : curves) {
     if (names.empty() || frequency - names.back()[0] > name_height * frequency_high)
-      names.emplace_back(frequency, family, family);
+      names.push_back({frequency, static_cast<double>(family), static_cast<double>(family)});
     names.back()[1] = std::min<double>(names.back()[1], family);
     names.back()[2] = std::max<double>(names.back()[2], family);
   }
-  Eigen::MatrixXd rows(static_cast<Eigen::Index>(names.size()), 3);
-  for (std::size_t i = 0; i < names.size(); ++i) rows.row(static_cast<Eigen::Index>(i)) = names[i];
-  return rows;
+  return as_sheet(names);
 }
 
 /// Names at the last nodal diameter of veering_rows().

@@ -23,23 +23,18 @@ Table amplitude_table(const Eigen::VectorXd& rpm, const TipAmplitudes& amplitude
 
 /// Speed [rpm], amplitude [mm] where the motion is not the same at every lobe.
 Eigen::MatrixXd not_periodic(const std::vector<SpeedResponse>& speeds, const TipAmplitudes& amplitudes) {
-  std::vector<double> rpm, largest;
-  for (std::size_t i = 0; i < speeds.size(); ++i) {
-    if (speeds[i].motion == MotionClass::periodic) continue;
-    rpm.push_back(speeds[i].speed * rpm_per_rad_s);
-    largest.push_back(amplitudes.largest[static_cast<Eigen::Index>(i)] * mm_per_m);
-  }
-  Eigen::MatrixXd rows(static_cast<Eigen::Index>(rpm.size()), 2);
-  rows << as_column(rpm), as_column(largest);
-  return rows;
+  std::vector<std::array<double, 2>> rows;
+  for (std::size_t i = 0; i < speeds.size(); ++i)
+    if (speeds[i].motion != MotionClass::periodic)
+      rows.push_back({speeds[i].speed * rpm_per_rad_s, amplitudes.largest[static_cast<Eigen::Index>(i)] * mm_per_m});
+  return as_sheet(rows);
 }
 
 /// Speed [rpm], amplitude [mm].
 Eigen::MatrixXd peaks(const std::vector<CriticalSpeed>& critical) {
-  Eigen::MatrixXd rows(static_cast<Eigen::Index>(critical.size()), 2);
-  for (std::size_t i = 0; i < critical.size(); ++i)
-    rows.row(static_cast<Eigen::Index>(i)) << critical[i].speed * rpm_per_rad_s, critical[i].amplitude * mm_per_m;
-  return rows;
+  std::vector<std::array<double, 2>> rows;
+  for (const CriticalSpeed& peak : critical) rows.push_back({peak.speed * rpm_per_rad_s, peak.amplitude * mm_per_m});
+  return as_sheet(rows);
 }
 
 /// The waves that make the peaks: "EO 6 ND -4", or "mixed".
@@ -51,11 +46,10 @@ std::vector<std::string> peak_names(const std::vector<CriticalSpeed>& all) {
 
 /// Bands of speeds to avoid: ends [rpm], and the grade of the concern.
 ScriptTable bands(const std::vector<AvoidedBand>& avoided) {
-  Eigen::MatrixXd rows(static_cast<Eigen::Index>(avoided.size()), 3);
-  for (std::size_t i = 0; i < avoided.size(); ++i)
-    rows.row(static_cast<Eigen::Index>(i)) << avoided[i].speeds.low * rpm_per_rad_s,
-        avoided[i].speeds.high * rpm_per_rad_s, static_cast<double>(avoided[i].concern);
-  return {"bands", {rows}};
+  std::vector<std::array<double, 3>> rows;
+  for (const auto& [speeds, concern, widening] : avoided)
+    rows.push_back({speeds.low * rpm_per_rad_s, speeds.high * rpm_per_rad_s, static_cast<double>(concern)});
+  return {"bands", {as_sheet(rows)}};
 }
 
 /// For the key: the concerns by grade, empty where no band has it.
@@ -68,15 +62,11 @@ std::vector<std::string> concern_names(const std::vector<AvoidedBand>& avoided) 
 /// Speed [rpm] and stress of the vibration [MPa] at the critical speeds whose stress was recovered over a cycle, or
 /// at one instant only.
 Eigen::MatrixXd recovered_stress(const FieldResults& fields, bool over_cycle) {
-  std::vector<double> rpm, stress;
-  for (const std::optional<FieldPeak>& peak : fields.peaks) {
-    if (!peak || peak->cycle.has_value() != over_cycle) continue;
-    rpm.push_back(peak->speed * rpm_per_rad_s);
-    stress.push_back(peak->body.vibration * mpa_per_pa);
-  }
-  Eigen::MatrixXd rows(static_cast<Eigen::Index>(rpm.size()), 2);
-  rows << as_column(rpm), as_column(stress);
-  return rows;
+  std::vector<std::array<double, 2>> rows;
+  for (const std::optional<FieldPeak>& peak : fields.peaks)
+    if (peak && peak->cycle.has_value() == over_cycle)
+      rows.push_back({peak->speed * rpm_per_rad_s, peak->body.vibration * mpa_per_pa});
+  return as_sheet(rows);
 }
 
 /// [rpm]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/fields/natural_modes.h"
+#include "postprocess/fields/field_study.h"
 
 #include <gtest/gtest.h>
 

@@ -41,12 +41,6 @@ double relative_difference(const TravellingSpectrum& a, const TravellingSpectrum
   return scale > 0 ? (one - other).norm() / scale : 0.0;
 }
 
-std::vector<std::pair<Effect, Treatment>> treatments(const SimulatedScene& scene) {
-  std::vector<std::pair<Effect, Treatment>> found;
-  for (const ModelledEffect& effect : scene.effects) found.emplace_back(effect.effect, effect.treatment);
-  return found;
-}
-
 /// What of that which decides a motion, beside its start, differs between two scenes; empty if nothing does.
 std::string difference(const SimulatedScene& one, const SimulatedScene& other) {
   if (one.model_digest != other.model_digest || one.sector_count != other.sector_count) return "rotor";
@@ -58,7 +52,8 @@ std::string difference(const SimulatedScene& one, const SimulatedScene& other) {
     return "casing";
   if (one.damping != other.damping) return "damping";
   if (one.scheme != other.scheme || one.contact != other.contact) return "scheme or contact law";
-  return treatments(one) != treatments(other) ? "choice of what is modelled" : "";
+  const auto treatment = [](const ModelledEffect& effect) { return std::pair(effect.effect, effect.treatment); };
+  return std::ranges::equal(one.effects, other.effects, {}, treatment, treatment) ? "" : "choice of what is modelled";
 }
 
 void require_sweep_of(const SimulatedScene& scene, const SimulatedScene& swept, const std::string& direction,

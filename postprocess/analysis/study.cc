@@ -54,39 +54,23 @@ LengthRange Study::interference() const {
 
 Study make_study(const PostprocessParameters& parameters, ReducedModel model, Response response,
                  const SweepFiles& sweeps) {
-  const ContactLine& contact = model.contact;
-  std::vector<SpeedResponse> failed =
-      take_others(response.speeds, [](const SpeedResponse& speed) { return speed.failure.empty(); });
-  const SpeedRange range{response.speeds.front().speed, response.speeds.back().speed};
   const FrequencyCurves curves(response.frequencies);
-  TipAmplitudes amplitudes = tip_amplitudes(response, contact, parameters.component);
-  WaveMaps waves = wave_maps(response, contact, curves, parameters);
-  std::vector<CriticalSpeed> critical = critical_speeds(response, contact, amplitudes, curves, parameters);
-  std::vector<CriticalSpeed> not_located =
-      take_others(critical, [](const CriticalSpeed& peak) { return peak.located; });
-  std::vector<GapTerms> gap;
-  for (const SpeedResponse& speed : response.speeds) gap.push_back(gap_terms(speed, response.scene, contact));
-  LinearRules rules = linear_rules(response, contact, curves, amplitudes, critical, parameters);
-  critical = with_predictions(std::move(critical), rules, parameters.prediction_tolerance);
-  ContactMaps contact_places = contact_maps(response, contact);
-  std::vector<SweepComparison> compared =
-      compare_sweeps(response, contact, waves.first().node, parameters.component, sweeps);
-  const Eigen::Index shown = shown_speed(response, amplitudes, parameters.shown_speed_rpm);
-  return {parameters,
-          std::move(model),
-          std::move(response),
-          std::move(failed),
-          range,
-          curves,
-          std::move(amplitudes),
-          std::move(waves),
-          std::move(contact_places),
-          std::move(critical),
-          std::move(not_located),
-          std::move(gap),
-          std::move(rules),
-          std::move(compared),
-          shown};
+  Study study{.parameters = parameters, .model = std::move(model), .response = std::move(response), .curves = curves};
+  const ContactLine& contact = study.model.contact;
+  const Response& all = study.response;
+  study.failed = take_others(study.response.speeds, [](const SpeedResponse& speed) { return speed.failure.empty(); });
+  study.range = {all.speeds.front().speed, all.speeds.back().speed};
+  study.amplitudes = tip_amplitudes(all, contact, parameters.component);
+  study.waves = wave_maps(all, contact, curves, parameters);
+  study.critical = critical_speeds(all, contact, study.amplitudes, curves, parameters);
+  study.not_located = take_others(study.critical, [](const CriticalSpeed& peak) { return peak.located; });
+  for (const SpeedResponse& speed : all.speeds) study.gap.push_back(gap_terms(speed, all.scene, contact));
+  study.rules = linear_rules(all, contact, curves, study.amplitudes, study.critical, parameters);
+  study.critical = with_predictions(std::move(study.critical), study.rules, parameters.prediction_tolerance);
+  study.contact = contact_maps(all, contact);
+  study.sweeps = compare_sweeps(all, contact, study.waves.first().node, parameters.component, sweeps);
+  study.shown = shown_speed(all, study.amplitudes, parameters.shown_speed_rpm);
+  return study;
 }
 
 }  // namespace tiprub::postprocess

@@ -17,21 +17,21 @@ namespace tiprub::postprocess {
 struct Study {
   PostprocessParameters parameters;
   ReducedModel model;
-  Response response;                  ///< the speeds that have a response, and only those
-  std::vector<SpeedResponse> failed;  ///< the others, each with its reason
-  SpeedRange range;
+  Response response;                    ///< the speeds that have a response, and only those
+  std::vector<SpeedResponse> failed{};  ///< the others, each with its reason
+  SpeedRange range{};
   FrequencyCurves curves;
-  TipAmplitudes amplitudes;
-  WaveMaps waves;
-  ContactMaps contact;
-  std::vector<CriticalSpeed> critical;
-  std::vector<CriticalSpeed> not_located;  ///< peaks of the response that aren't critical speeds: see `located`
-  std::vector<GapTerms> gap;               ///< one per speed
-  LinearRules rules;
-  std::vector<SweepComparison> sweeps;  ///< one per speed, or none
+  TipAmplitudes amplitudes{};
+  WaveMaps waves{};
+  ContactMaps contact{};
+  std::vector<CriticalSpeed> critical{};
+  std::vector<CriticalSpeed> not_located{};  ///< peaks of the response that aren't critical speeds: see `located`
+  std::vector<GapTerms> gap{};               ///< one per speed
+  LinearRules rules{};
+  std::vector<SweepComparison> sweeps{};  ///< one per speed, or none
   /// Index of the speed whose motion and force are drawn: the one nearest to that asked for, or the one with the
   /// largest amplitude among those whose motion is the same at every lobe (among all, if there is none).
-  Eigen::Index shown;
+  Eigen::Index shown = 0;
 
   const SpeedResponse& worst_response() const { return speed_at(amplitudes.worst()); }
   /// At the critical speed with the largest amplitude, or at the largest amplitude if no speed is critical.

@@ -21,14 +21,12 @@ using nlohmann::json;
 
 struct Edge {
   const char* name;
-  int node;
   const InteractionMap& map;
   const ContactMap& contact;
 };
 
 std::vector<Edge> edges_of(const WaveMaps& waves, const ContactMaps& contact) {
-  return {{"leading", waves.leading.node, waves.leading, contact.leading},
-          {"trailing", waves.trailing.node, waves.trailing, contact.trailing}};
+  return {{"leading", waves.leading, contact.leading}, {"trailing", waves.trailing, contact.trailing}};
 }
 
 /// The component's name in the case file.
@@ -67,8 +65,9 @@ json add_speed(PackedArrays& arrays, const Study& study, const FieldResults& fie
   const int lines = drawn_lines(frame, spectrum, speed.speed);
   for (const Edge& edge : edges) {
     const std::string place = std::to_string(i) + "/" + edge.name + "/";
-    add_motion(arrays, study, speed, edge.node, place);
-    arrays.add_coarse(place + "force", held(study.response.scene, tip_force(speed, study.response.scene, edge.node)));
+    add_motion(arrays, study, speed, edge.map.node, place);
+    arrays.add_coarse(place + "force",
+                      held(study.response.scene, tip_force(speed, study.response.scene, edge.map.node)));
     const Eigen::MatrixXd& amplitude = edge.map.columns[static_cast<std::size_t>(i)].spectrum.amplitude;
     arrays.add(place + "spectrum", mm_per_m * amplitude.topRows(lines));
     arrays.add(place + "contact", edge.contact.share.col(i));

@@ -136,8 +136,9 @@ std::pair<ReportContents, std::future<void>> run(Inputs inputs, const Postproces
   std::vector<Figure> last;
   if (contents.fields) last = sector_figures(study, *contents.fields);
   if (!contents.others.empty())
-    append(last, {comparison_figure(contents.numbers, contents.others),
-                  comparison_map_figure(study, contents.numbers, contents.others.front())});
+    last = joined<Figure>({last,
+                           {comparison_figure(contents.numbers, contents.others),
+                            comparison_map_figure(study, contents.numbers, contents.others.front())}});
   drawing.get();
   drawing = start_drawing(joined<Figure>({contents.figures, last}), folder);
   contents.figures = joined<Figure>({contents.figures, figures, last});

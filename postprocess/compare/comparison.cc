@@ -80,6 +80,13 @@ bool are_comparable(const ReportNumbers& here, const ReportNumbers& other) {
   return other.component.empty() || other.component == here.component;
 }
 
+/// [rpm] A range with all speeds of both.
+DrawnRange speed_axis_of_both(const ReportNumbers& here, const ReportNumbers& other) {
+  return DrawnRange{std::min(here.speed.minCoeff(), other.speed.minCoeff()),
+                    std::max(here.speed.maxCoeff(), other.speed.maxCoeff())}
+      .widened();
+}
+
 /// "a, b and c"
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
@@ -237,11 +244,12 @@ Figure comparison_figure(const ReportNumbers& this_one, const std::vector<Report
     rows << numbers.speed, numbers.amplitude;
     return rows;
   };
-  DrawnRange axis{this_one.speed.minCoeff(), this_one.speed.maxCoeff()};
+  DrawnRange axis = speed_axis_of_both(this_one, this_one);
   std::vector<std::string> names;
   std::vector<Eigen::MatrixXd> there;
   for (const ReportNumbers& other : others) {
-    axis = {std::min(axis.low, other.speed.minCoeff()), std::max(axis.high, other.speed.maxCoeff())};
+    const DrawnRange both = speed_axis_of_both(this_one, other);
+    axis = {std::min(axis.low, both.low), std::max(axis.high, both.high)};
     names.push_back(other.name);
     there.push_back(curve(other));
   }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/figures/study_figures.h"
 
-#include <algorithm>
-#include <iterator>
-
 #include "postprocess/figures/maps.h"
 #include "postprocess/records/study_records.h"
 #include "postprocess/tables/table.h"
@@ -11,10 +8,6 @@
 namespace tiprub::postprocess {
 
 namespace {
-
-void append(std::vector<Figure>& figures, std::vector<Figure> more) {
-  std::move(more.begin(), more.end(), std::back_inserter(figures));
-}
 
 std::vector<Figure> map_figures(const Study& study, const SpeedFrame& frame) {
   const std::string of_blade = of_main_blade(study.model.contact);
@@ -74,14 +67,14 @@ std::vector<Figure> study_figures(const Study& study) {
                                     sweep_record(study.response.speeds, study.amplitudes, study.sweeps)));
   if (!study.response.branches.empty())
     figures.push_back(branches_figure(study.amplitudes, frame.speeds, study.sweeps, study.response.branches));
-  append(figures, map_figures(study, frame));
-  append(figures, {campbell_figure(frame, study.rules),
-                   interference_figure(frame, study.shown_response().speed, study.parameters.families)});
-  append(figures, motion_figures(study, frame));
-  append(figures, {nodal_diameter_tracking_figure(frame, map), engine_order_tracking_figure(frame, map),
-                   waterfall_figure(frame, map),
-                   casing_figure(study.response.scene, study.shown_response(), study.model.contact)});
-  return figures;
+  return joined<Figure>({figures,
+                         map_figures(study, frame),
+                         {campbell_figure(frame, study.rules),
+                          interference_figure(frame, study.shown_response().speed, study.parameters.families)},
+                         motion_figures(study, frame),
+                         {nodal_diameter_tracking_figure(frame, map), engine_order_tracking_figure(frame, map),
+                          waterfall_figure(frame, map),
+                          casing_figure(study.response.scene, study.shown_response(), study.model.contact)}});
 }
 
 std::vector<Figure> sector_figures(const Study& study, const FieldStudy& fields) {

@@ -8,7 +8,6 @@
 #include "postprocess/analysis/other_motions.h"
 #include "postprocess/fields/field_study.h"
 #include "postprocess/tables/table.h"
-#include "simulate/response/speed_numbers.h"
 
 namespace tiprub::postprocess {
 
@@ -68,8 +67,7 @@ SpeedColumns audit_columns() {
           {"tensile share of contact force", [](const SpeedRow& speed) { return speed.response.tension_share; }},
           {"change by the last halving of the step",
            [](const SpeedRow& speed) { return optional_cell(speed.response.audit.halving_difference); }},
-          {"symmetry",
-           [](const SpeedRow& speed) { return std::string(name_in(symmetry_names, speed.response.audit.symmetry)); }},
+          {"symmetry", [](const SpeedRow& speed) { return name_of(speed.response.audit.symmetry); }},
           {"growth per revolution of nodal diameters left out",
            [](const SpeedRow& speed) { return optional_cell(speed.response.audit.excluded_growth); }},
           {"difference from rest",

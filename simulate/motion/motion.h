@@ -6,7 +6,18 @@
 #include <optional>
 #include <vector>
 
+#include "cases/program/named_values.h"
+
 namespace tiprub {
+
+/// The names of an enumeration in response.h5; none of most enumerations.
+template <class Value>
+inline constexpr NamedValues<Value, 0> names_of = {};
+
+template <class Value>
+requires(!names_of<Value>.empty()) constexpr const char* name_of(Value value) {
+  return name_in(names_of<Value>, value);
+}
 
 /// The class of a motion, up to the resolved frequency, at the end of the march. A beat is 1/lobes of a
 /// revolution: the time after which a blade meets the same shape of the casing again.
@@ -17,6 +28,14 @@ enum class MotionClass {
   broadband,    ///< energy spread between the multiples of the beat frequency
   not_settled,  ///< still changing: its final class is not known yet
 };
+template <>
+inline constexpr NamedValues<MotionClass, 5> names_of<MotionClass> = {{
+    {MotionClass::periodic, "periodic"},
+    {MotionClass::subharmonic, "subharmonic"},
+    {MotionClass::modulated, "modulated"},
+    {MotionClass::broadband, "broadband"},
+    {MotionClass::not_settled, "not settled"},
+}};
 
 /// Whether a class names a motion that repeats itself.
 constexpr bool repeats(MotionClass motion) {
@@ -28,6 +47,11 @@ enum class MotionMeasure {
   motion,    ///< sample by sample: both have settled with the same period
   spectrum,  ///< by amplitudes of engine orders: at least one of the two does not repeat itself
 };
+template <>
+inline constexpr NamedValues<MotionMeasure, 2> names_of<MotionMeasure> = {{
+    {MotionMeasure::motion, "motion"},
+    {MotionMeasure::spectrum, "spectrum"},
+}};
 
 /// The energy balance of a speed over the recorded revolutions.
 struct EnergyLedger {
@@ -66,6 +90,12 @@ struct OrbitReport {
 
   bool operator==(const OrbitReport&) const = default;
 };
+template <>
+inline constexpr NamedValues<OrbitReport::Outcome, 3> names_of<OrbitReport::Outcome> = {{
+    {OrbitReport::Outcome::none, "none"},
+    {OrbitReport::Outcome::found, "found"},
+    {OrbitReport::Outcome::marched, "marched"},
+}};
 
 /// Whether the nodal diameters that were left out by symmetry would stay at rest.
 enum class SymmetryVerdict {
@@ -75,6 +105,14 @@ enum class SymmetryVerdict {
   breaking,   ///< it grows: the computed motion would not be observed
   undecided,  ///< it neither clearly grows nor clearly dies out, or the motion has no period
 };
+template <>
+inline constexpr NamedValues<SymmetryVerdict, 5> names_of<SymmetryVerdict> = {{
+    {SymmetryVerdict::all_held, "all held"},
+    {SymmetryVerdict::unchecked, "unchecked"},
+    {SymmetryVerdict::holds, "holds"},
+    {SymmetryVerdict::breaking, "breaking"},
+    {SymmetryVerdict::undecided, "undecided"},
+}};
 
 /// The natural frequencies of the model that was marched, condensed at each speed (reduce/model/condensation.h).
 struct FrequencyTable {

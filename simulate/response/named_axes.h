@@ -24,6 +24,15 @@ class NamedAxes {
   /// Checks the shape of a dataset before it is read. Raises RunError unless it has these axes, the last one fastest,
   /// and none is empty.
   void require(const std::string& dataset, const std::vector<std::string>& axes);
+  /// The same, and then reads it.
+  Eigen::VectorXd read_vector(const std::string& dataset, const std::string& axis) {
+    require(dataset, {axis});
+    return file_.read_vector(dataset);
+  }
+  Eigen::MatrixXd read_matrix(const std::string& dataset, const std::vector<std::string>& axes) {
+    require(dataset, axes);
+    return file_.read_matrix(dataset);
+  }
 
  private:
   struct Length {
@@ -43,5 +52,13 @@ void write_axis(Hdf5File& file, const std::string& name, const Eigen::VectorXd& 
 
 /// The same for an axis that counts 0, 1, ...
 void write_counting_axis(Hdf5File& file, const std::string& name, Eigen::Index count, const std::string& long_name);
+
+/// Writes a dataset along such axes, slowest first.
+template <class Values>
+void write_along(Hdf5File& file, const std::vector<std::string>& axes, const std::string& name, const Values& values,
+                 const std::string& unit, const std::string& long_name) {
+  file.write(name, values, unit);
+  file.describe(name, long_name, axes);
+}
 
 }  // namespace tiprub

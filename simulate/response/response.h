@@ -18,12 +18,8 @@ namespace tiprub {
 
 struct ContactLine;
 
-/// The name in response.h5: "periodic", "not settled", ...
-const char* name_of(MotionClass motion);
 /// "periodic", "subharmonic 1/3", "broadband", ...
 std::string motion_text(MotionClass motion, int period_beats);
-/// The name in response.h5: "motion" or "spectrum".
-const char* name_of(MotionMeasure measure);
 
 /// Checks of the result at a speed, beside the energy ledger and the settling.
 struct SpeedAudit {
@@ -51,9 +47,13 @@ enum class Start {
   disturbed,    ///< from the settled motion with twice the displacement
   whole_wheel,  ///< from rest with all nodal diameters, where symmetry does not clearly hold
 };
-
-/// The name in response.h5: "up", "down", "disturbed", "whole wheel".
-const char* name_of(Start start);
+template <>
+inline constexpr NamedValues<Start, 4> names_of<Start> = {{
+    {Start::up, "up"},
+    {Start::down, "down"},
+    {Start::disturbed, "disturbed"},
+    {Start::whole_wheel, "whole wheel"},
+}};
 
 /// [m] How far the contact nodes of each blade move from the middle of their paths, over the blades of the wheel.
 struct BladeExcursions {
@@ -84,9 +84,15 @@ enum class Variation {
   step,       ///< steps in a revolution, twice those of the speed [1]
   model,      ///< another model of the wheel, by the segments of each main blade; 0: contact at points
 };
-
-/// The name in response.h5: "friction", "damping", "clearance", "gap", "step", "model".
-const char* name_of(Variation variation);
+template <>
+inline constexpr NamedValues<Variation, 6> names_of<Variation> = {{
+    {Variation::friction, "friction"},
+    {Variation::damping, "damping"},
+    {Variation::clearance, "clearance"},
+    {Variation::gap, "gap"},
+    {Variation::step, "step"},
+    {Variation::model, "model"},
+}};
 
 /// The peak of a critical speed with one thing varied.
 struct PeakVariation {
@@ -117,6 +123,13 @@ enum class Depth {
   examined,  ///< also from other starts, with the whole cycle kept
   budgeted,  ///< also with its error budget
 };
+template <>
+inline constexpr NamedValues<Depth, 4> names_of<Depth> = {{
+    {Depth::scanned, "scanned"},
+    {Depth::full, "full"},
+    {Depth::examined, "examined"},
+    {Depth::budgeted, "budgeted"},
+}};
 
 /// The settled response at one speed. Recorded sample s lies at the rotor angle 2 pi s / samples_per_revolution. Only
 /// the first `independent_sectors` = N / g sectors are kept, with g = gcd(N, lobes): sector j moves as sector

@@ -40,8 +40,8 @@ void write_snapshot(Hdf5File& file, const std::string& group, const RotorSnapsho
   for (std::size_t i = 0; i < snapshot.displacement.size(); ++i) {
     const int n = scene.nodal_diameters[i];
     write_dofs(file, group, n, snapshot.displacement[i].size());
-    file.write(at(place, n), Eigen::MatrixXcd(snapshot.displacement[i]), unit);
-    file.describe(at(place, n), state_meaning, {dofs_of(group, n), instant});
+    write_along(file, {dofs_of(group, n), instant}, at(place, n), Eigen::MatrixXcd(snapshot.displacement[i]), unit,
+                state_meaning);
   }
   file.set_attribute(place, "sample", snapshot.sample);
   file.set_attribute(place, "angle", angle);
@@ -76,8 +76,7 @@ void write_cycle(Hdf5File& file, const std::string& group, const RotorCycle& cyc
   for (std::size_t i = 0; i < cycle.displacement.size(); ++i) {
     const int n = scene.nodal_diameters[i];
     write_dofs(file, group, n, cycle.displacement[i].rows());
-    file.write(at(place, n), cycle.displacement[i], unit);
-    file.describe(at(place, n), state_meaning, {dofs_of(group, n), angles});
+    write_along(file, {dofs_of(group, n), angles}, at(place, n), cycle.displacement[i], unit, state_meaning);
   }
   file.set_attribute(place, "first_sample", cycle.first_sample);
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cases/program/errors.h"
+#include "simulate/motion/column.h"
 #include "simulate/response/named_axes.h"
 
 namespace tiprub {
@@ -59,10 +60,9 @@ void require_ratios(const Hdf5File& file, const std::string& name, const Eigen::
 std::vector<ModeDamping> read_modes(const Hdf5File& file, NamedAxes& axes) {
   std::vector<ModeDamping> modes;
   if (!file.exists(ratio_of_mode)) return modes;
-  for (const std::string& name : {diameter_of_mode, family_of_mode, ratio_of_mode})
-    axes.require(name, {"modes of the damping"});
-  const Eigen::VectorXd diameters = file.read_vector(diameter_of_mode), families = file.read_vector(family_of_mode);
-  const Eigen::VectorXd ratios = file.read_vector(ratio_of_mode);
+  const Eigen::VectorXd diameters = axes.read_vector(diameter_of_mode, "modes of the damping"),
+                        families = axes.read_vector(family_of_mode, "modes of the damping"),
+                        ratios = axes.read_vector(ratio_of_mode, "modes of the damping");
   constexpr double most = 1e6;
   for (const auto& [name, numbers] : {std::pair{diameter_of_mode, &diameters}, std::pair{family_of_mode, &families}})
     require(numbers->minCoeff() >= 0 && numbers->maxCoeff() <= most, file, name + " must be within 0 .. 1e6");
@@ -80,16 +80,13 @@ DampingRatios read_damping(const Hdf5File& file, NamedAxes& axes) {
   require(damping.beyond >= 0 && damping.beyond <= 1, file,
           damping_group + ": attribute ratio_beyond must be within 0 .. 1");
   if (!file.exists(ratio_by_frequency)) {
-    axes.require(ratio_by_family, {"families"});
-    const Eigen::VectorXd ratios = file.read_vector(ratio_by_family);
+    const Eigen::VectorXd ratios = axes.read_vector(ratio_by_family, "families");
     require_ratios(file, ratio_by_family, ratios);
     damping.by_family.assign(ratios.begin(), ratios.end());
     return damping;
   }
-  axes.require(damping_frequency, {"frequencies of the damping"});
-  axes.require(ratio_by_frequency, {"frequencies of the damping"});
-  const Eigen::VectorXd frequencies = file.read_vector(damping_frequency);
-  const Eigen::VectorXd ratios = file.read_vector(ratio_by_frequency);
+  const Eigen::VectorXd frequencies = axes.read_vector(damping_frequency, "frequencies of the damping"),
+                        ratios = axes.read_vector(ratio_by_frequency, "frequencies of the damping");
   require(increases(frequencies), file, damping_frequency + " must increase");
   require_ratios(file, ratio_by_frequency, ratios);
   for (Eigen::Index i = 0; i < ratios.size(); ++i) damping.by_frequency.push_back({frequencies[i], ratios[i]});
@@ -97,19 +94,14 @@ DampingRatios read_damping(const Hdf5File& file, NamedAxes& axes) {
 }
 
 void read_casing(const Hdf5File& file, NamedAxes& axes, SimulatedScene& scene) {
-  axes.require("/casing/angle", {"angles"});
-  axes.require("/casing/distortion", {"angles"});
-  axes.require("/casing/clearance", {nodes_axis});
-  scene.casing_angle = file.read_vector("/casing/angle");
-  scene.casing_distortion = file.read_vector("/casing/distortion");
+  scene.casing_angle = axes.read_vector("/casing/angle", "angles");
+  scene.casing_distortion = axes.read_vector("/casing/distortion", "angles");
+  scene.clearance = axes.read_vector("/casing/clearance", nodes_axis);
   if (file.has_attribute("/casing", "crest")) scene.largest_distortion = file.number_attribute("/casing", "crest");
   if (file.exists(node_distortion)) {
-    axes.require(node_distortion, {"angles", nodes_axis});
-    axes.require(node_crest, {nodes_axis});
-    scene.node_distortion = file.read_matrix(node_distortion);
-    scene.node_crest = file.read_vector(node_crest);
+    scene.node_distortion = axes.read_matrix(node_distortion, {"angles", nodes_axis});
+    scene.node_crest = axes.read_vector(node_crest, nodes_axis);
   }
-  scene.clearance = file.read_vector("/casing/clearance");
   scene.lobes = file.integer_attribute("/casing", "lobes");
   scene.clearance_state = named(clearance_state_names, file, "/casing", "clearance_state");
   constexpr double turn = 2 * std::numbers::pi, rounding = 1e-9;
@@ -130,21 +122,13 @@ std::string damping_at(std::size_t nodal_diameter) {
 
 void write_modes(Hdf5File& file, const std::vector<ModeDamping>& modes) {
   if (modes.empty()) return;
-  const auto count = static_cast<Eigen::Index>(modes.size());
-  Eigen::VectorXd diameters(count), families(count), ratios(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const ModeDamping& mode = modes[static_cast<std::size_t>(i)];
-    diameters[i] = mode.nodal_diameter;
-    families[i] = mode.family;
-    ratios[i] = mode.ratio;
-  }
-  write_counting_axis(file, mode_axis, count, "mode with damping of its own, from 0");
-  file.write(diameter_of_mode, diameters, "1");
-  file.describe(diameter_of_mode, "nodal diameter of the mode", {mode_axis});
-  file.write(family_of_mode, families, "1");
-  file.describe(family_of_mode, "family of the mode, from 0", {mode_axis});
-  file.write(ratio_of_mode, ratios, "1");
-  file.describe(ratio_of_mode, "damping of critical, if the mode is below the resolved frequency", {mode_axis});
+  write_counting_axis(file, mode_axis, std::ssize(modes), "mode with damping of its own, from 0");
+  const auto write = [&](const std::string& name, const auto& number, const char* long_name) {
+    write_along(file, {mode_axis}, name, column(modes, number), "1", long_name);
+  };
+  write(diameter_of_mode, &ModeDamping::nodal_diameter, "nodal diameter of the mode");
+  write(family_of_mode, &ModeDamping::family, "family of the mode, from 0");
+  write(ratio_of_mode, &ModeDamping::ratio, "damping of critical, if the mode is below the resolved frequency");
 }
 
 void write_damping(Hdf5File& file, const DampingRatios& damping) {
@@ -152,43 +136,34 @@ void write_damping(Hdf5File& file, const DampingRatios& damping) {
   file.set_attribute(damping_group, "ratio_beyond", damping.beyond);
   write_modes(file, damping.by_mode);
   if (damping.by_frequency.empty()) {
-    const auto families = static_cast<Eigen::Index>(damping.by_family.size());
-    write_counting_axis(file, family_axis, families, "family of modes, from 0; the last one stands for all further");
-    file.write(ratio_by_family, Eigen::VectorXd(Eigen::VectorXd::Map(damping.by_family.data(), families)), "1");
-    file.describe(ratio_by_family, "damping of critical, of modes up to the resolved frequency", {family_axis});
+    write_counting_axis(file, family_axis, std::ssize(damping.by_family),
+                        "family of modes, from 0; the last one stands for all further");
+    write_along(file, {family_axis}, ratio_by_family, column(damping.by_family, std::identity()), "1",
+                "damping of critical, of modes up to the resolved frequency");
     return;
   }
-  const auto points = static_cast<Eigen::Index>(damping.by_frequency.size());
-  Eigen::VectorXd frequency(points), ratio(points);
-  for (Eigen::Index i = 0; i < points; ++i) {
-    frequency[i] = damping.by_frequency[static_cast<std::size_t>(i)][0];
-    ratio[i] = damping.by_frequency[static_cast<std::size_t>(i)][1];
-  }
-  write_axis(file, damping_frequency, frequency, "Hz", "frequency of a mode");
-  file.write(ratio_by_frequency, ratio, "1");
-  file.describe(ratio_by_frequency, "damping of critical, linear between, of modes up to the resolved frequency",
-                {damping_frequency});
+  write_axis(file, damping_frequency, column(damping.by_frequency, [](const auto& point) { return point[0]; }), "Hz",
+             "frequency of a mode");
+  write_along(file, {damping_frequency}, ratio_by_frequency,
+              column(damping.by_frequency, [](const auto& point) { return point[1]; }), "1",
+              "damping of critical, linear between, of modes up to the resolved frequency");
 }
 
 void write_casing(Hdf5File& file, const SimulatedScene& scene) {
-  const std::string clearance = "/casing/clearance", distortion = "/casing/distortion";
-  write_axis(file, "/casing/angle", scene.casing_angle, "rad", "absolute angle");
-  file.write(distortion, scene.casing_distortion, "m");
-  file.describe(distortion, "how far the casing stands inward", {"/casing/angle"});
-  write_counting_axis(file, "/casing/contact_node", scene.clearance.size(), "contact node, from 0");
-  file.write(clearance, scene.clearance, "m");
-  file.describe(clearance, "clearance as the case gives it, of the tightest blade", {"/casing/contact_node"});
+  const std::string angle = "/casing/angle", node = "/casing/contact_node";
+  write_axis(file, angle, scene.casing_angle, "rad", "absolute angle");
+  write_along(file, {angle}, "/casing/distortion", scene.casing_distortion, "m", "how far the casing stands inward");
+  write_counting_axis(file, node, scene.clearance.size(), "contact node, from 0");
+  write_along(file, {node}, "/casing/clearance", scene.clearance, "m",
+              "clearance as the case gives it, of the tightest blade");
   if (scene.node_distortion.size() > 0) {
-    file.write(node_distortion, scene.node_distortion, "m");
-    file.describe(node_distortion, "how far the casing stands inward over each contact node",
-                  {"/casing/angle", "/casing/contact_node"});
-    file.write(node_crest, scene.node_crest, "m");
-    file.describe(node_crest, "the largest of it", {"/casing/contact_node"});
+    write_along(file, {angle, node}, node_distortion, scene.node_distortion, "m",
+                "how far the casing stands inward over each contact node");
+    write_along(file, {node}, node_crest, scene.node_crest, "m", "the largest of it");
   }
   file.set_attribute("/casing", "lobes", scene.lobes);
   if (scene.largest_distortion) file.set_attribute("/casing", "crest", *scene.largest_distortion);
-  file.set_attribute("/casing", "clearance_state",
-                     std::string(name_in(clearance_state_names, scene.clearance_state)));
+  file.set_attribute("/casing", "clearance_state", name_in(clearance_state_names, scene.clearance_state));
 }
 
 }  // namespace
@@ -200,8 +175,8 @@ void write_scene(Hdf5File& file, const SimulatedScene& scene) {
   file.write_text("/provenance", scene.provenance);
   file.write_text("/casing/table", scene.casing);
   file.set_attribute("/", "scope", scene.scope);
-  if (scene.scheme) file.set_attribute("/", "scheme", std::string(name_in(scheme_names, *scene.scheme)));
-  if (scene.contact) file.set_attribute("/", "contact", std::string(name_in(contact_rule_names, *scene.contact)));
+  if (scene.scheme) file.set_attribute("/", "scheme", name_in(scheme_names, *scene.scheme));
+  if (scene.contact) file.set_attribute("/", "contact", name_in(contact_rule_names, *scene.contact));
   file.set_attribute("/", "accuracy", scene.asked.critical_speeds);
   file.set_attribute("/", "step_tolerance", scene.asked.step);
   file.set_attribute("/", "settle_tolerance", scene.asked.settling);
@@ -256,11 +231,11 @@ void write_frequencies(Hdf5File& file, const FrequencyTable& frequencies) {
   for (std::size_t n = 0; n < frequencies.by_nodal_diameter.size(); ++n) {
     const std::string mode = frequency_group + "/mode_" + std::to_string(n);
     write_counting_axis(file, mode, frequencies.by_nodal_diameter[n].cols(), "mode, from 0");
-    file.write(frequencies_at(n), frequencies.by_nodal_diameter[n], "Hz");
-    file.describe(frequencies_at(n), "natural frequencies; negative: statically unstable", {speed, mode});
+    write_along(file, {speed, mode}, frequencies_at(n), frequencies.by_nodal_diameter[n], "Hz",
+                "natural frequencies; negative: statically unstable");
     if (n >= frequencies.damping_ratio.size()) continue;
-    file.write(damping_at(n), frequencies.damping_ratio[n], "1");
-    file.describe(damping_at(n), "damping of critical that these modes are marched with", {speed, mode});
+    write_along(file, {speed, mode}, damping_at(n), frequencies.damping_ratio[n], "1",
+                "damping of critical that these modes are marched with");
   }
 }
 
@@ -268,16 +243,14 @@ FrequencyTable read_frequencies(const Hdf5File& file, int sector_count, NamedAxe
   FrequencyTable table;
   if (!file.exists(frequency_group)) return table;
   const std::string speeds = "speeds of the frequencies";
-  axes.require(frequency_group + "/speed", {speeds});
-  table.speed = file.read_vector(frequency_group + "/speed");
+  table.speed = axes.read_vector(frequency_group + "/speed", speeds);
   require(increases(table.speed) && table.speed[0] >= 0, file,
           frequency_group + "/speed must increase from 0 or more");
   for (std::size_t n = 0; n <= static_cast<std::size_t>(sector_count / 2); ++n) {
-    axes.require(frequencies_at(n), {speeds, "modes of nodal diameter " + std::to_string(n)});
-    table.by_nodal_diameter.push_back(file.read_matrix(frequencies_at(n)));
+    const std::string modes = "modes of nodal diameter " + std::to_string(n);
+    table.by_nodal_diameter.push_back(axes.read_matrix(frequencies_at(n), {speeds, modes}));
     if (!file.exists(damping_of_modes)) continue;
-    axes.require(damping_at(n), {speeds, "modes of nodal diameter " + std::to_string(n)});
-    table.damping_ratio.push_back(file.read_matrix(damping_at(n)));
+    table.damping_ratio.push_back(axes.read_matrix(damping_at(n), {speeds, modes}));
     require_ratios(file, damping_at(n), table.damping_ratio.back());
   }
   return table;
@@ -287,18 +260,16 @@ void write_scan(Hdf5File& file, const Eigen::VectorXd& speeds, const Eigen::Vect
   if (speeds.size() == 0) return;
   write_axis(file, scanned_speeds, speeds, "rad/s", "speeds scanned with a coarse step");
   if (amplitudes.size() == 0) return;
-  file.write(scanned_amplitudes, amplitudes, "m");
-  file.describe(scanned_amplitudes, "amplitude of the scan; negative where the march failed", {scanned_speeds});
+  write_along(file, {scanned_speeds}, scanned_amplitudes, amplitudes, "m",
+              "amplitude of the scan; negative where the march failed");
 }
 
 void read_scan(const Hdf5File& file, NamedAxes& axes, Eigen::VectorXd& speeds, Eigen::VectorXd& amplitudes) {
   if (!file.exists(scanned_speeds)) return;
-  axes.require(scanned_speeds, {"scanned speeds"});
-  speeds = file.read_vector(scanned_speeds);
+  speeds = axes.read_vector(scanned_speeds, "scanned speeds");
   require(increases(speeds) && speeds[0] >= 0, file, scanned_speeds + " must increase from 0 or more");
   if (!file.exists(scanned_amplitudes)) return;
-  axes.require(scanned_amplitudes, {"scanned speeds"});
-  amplitudes = file.read_vector(scanned_amplitudes);
+  amplitudes = axes.read_vector(scanned_amplitudes, "scanned speeds");
 }
 
 }  // namespace tiprub

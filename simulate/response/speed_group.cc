@@ -34,21 +34,21 @@ Eigen::MatrixXd fold(const Array<double>& array) {
   return Eigen::Map<const RowMajor>(array.values.data(), rows, columns);
 }
 
-void write_numbers(Hdf5File& file, const std::string& group, const SpeedResponse& speed) {
-  visit_numbers(speed, [&](const NumberMeaning& meaning, const auto& value) {
-    using Value = std::decay_t<decltype(value)>;
-    const char* const name = meaning.name;
-    if constexpr (std::is_same_v<Value, std::optional<double>>) {
-      if (value) file.set_attribute(group, name, *value);  // absent where it was not computed
-    } else if constexpr (std::is_same_v<Value, std::int64_t>) {
-      file.set_attribute(group, name, static_cast<double>(value));
-    } else {
-      file.set_attribute(group, name, value);
-    }
-  });
+/// Writes an attribute of any kind.
+template <class Value>
+void write_attribute(Hdf5File& file, const std::string& group, const char* name, const Value& value) {
+  if constexpr (std::is_same_v<Value, std::optional<double>>) {
+    if (value) file.set_attribute(group, name, *value);  // absent where it was not computed
+  } else if constexpr (std::is_same_v<Value, std::int64_t>) {
+    file.set_attribute(group, name, static_cast<double>(value));
+  } else if constexpr (std::is_enum_v<Value>) {
+    file.set_attribute(group, name, name_of(value));
+  } else {
+    file.set_attribute(group, name, value);
+  }
 }
 
-/// Reads an attribute. Raises RunError unless it is within its bounds.
+/// Reads a number. Raises RunError unless it is within its bounds.
 double bounded(const Hdf5File& file, const std::string& group, const std::string& name, Bounds bounds) {
   const double value = file.number_attribute(group, name);
   if (value >= bounds.low && value <= bounds.high) return value;
@@ -57,42 +57,41 @@ double bounded(const Hdf5File& file, const std::string& group, const std::string
                                       : text_of(value, ", must be at most ", bounds.high)));
 }
 
-void read_numbers(const Hdf5File& file, const std::string& group, SpeedResponse& speed) {
-  visit_numbers(speed, [&](const NumberMeaning& meaning, auto& value) {
-    using Value = std::decay_t<decltype(value)>;
-    const char* const name = meaning.name;
-    const Bounds bounds = speed.failure.empty() ? meaning.bounds : any;
-    if constexpr (std::is_same_v<Value, std::optional<double>>) {
-      if (file.has_attribute(group, name)) value = bounded(file, group, name, bounds);
-    } else if constexpr (std::is_same_v<Value, int>) {
-      bounded(file, group, name, bounds);
-      value = file.integer_attribute(group, name);
-    } else {
-      value = static_cast<Value>(bounded(file, group, name, bounds));
-    }
-  });
+/// Reads an attribute of any kind.
+template <class Value>
+void read_attribute(const Hdf5File& file, const std::string& group, const char* name, Value& value,
+                    Bounds bounds = any) {
+  if constexpr (std::is_same_v<Value, std::string>) {
+    value = file.text_attribute(group, name);
+  } else if constexpr (std::is_enum_v<Value>) {
+    value = value_named(names_of<Value>, file.text_attribute(group, name), file.path() + ": " + group + ": " + name);
+  } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
+    if (file.has_attribute(group, name)) value = bounded(file, group, name, bounds);
+  } else if constexpr (std::is_same_v<Value, int>) {
+    bounded(file, group, name, bounds);
+    value = file.integer_attribute(group, name);
+  } else {
+    value = static_cast<Value>(bounded(file, group, name, bounds));
+  }
 }
 
 /// Written only where a search was asked for; older files have none.
 void write_orbit(Hdf5File& file, const std::string& group, const OrbitReport& orbit) {
   if (orbit.outcome == OrbitReport::Outcome::none) return;
-  file.set_attribute(group, "orbit", std::string(name_in(outcome_names, orbit.outcome)));
+  write_attribute(file, group, "orbit", orbit.outcome);
   visit_orbit_numbers(orbit, [&](const NumberMeaning& meaning, const auto& value) {
-    file.set_attribute(group, meaning.name, value);
+    write_attribute(file, group, meaning.name, value);
   });
 }
 
 OrbitReport read_orbit(const Hdf5File& file, const std::string& group) {
   OrbitReport orbit;
   if (!file.has_attribute(group, "orbit")) return orbit;
-  orbit.outcome =
-      value_named(outcome_names, file.text_attribute(group, "orbit"), file.path() + ": " + group + ": orbit");
+  read_attribute(file, group, "orbit", orbit.outcome);
   visit_orbit_numbers(orbit, [&](const NumberMeaning& meaning, auto& value) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, int>) {
-      if (file.has_attribute(group, meaning.name)) value = file.integer_attribute(group, meaning.name);
-    } else {
-      value = bounded(file, group, meaning.name, meaning.bounds);
-    }
+    const bool is_newer = std::is_same_v<decltype(value), int&>;  // orbit_maps
+    if (!is_newer || file.has_attribute(group, meaning.name))
+      read_attribute(file, group, meaning.name, value, is_newer ? any : meaning.bounds);
   });
   return orbit;
 }
@@ -101,31 +100,29 @@ std::string start_at(const std::string& group, std::size_t place) {
   return group + "/starts/" + std::to_string(place);
 }
 
-void write_other_start(Hdf5File& file, const std::string& group, const OtherStart& start) {
-  file.set_attribute(group, "start", std::string(name_of(start.start)));
-  file.set_attribute(group, "failure", start.failure);
-  file.set_attribute(group, "motion", std::string(name_of(start.motion)));
-  file.set_attribute(group, "amplitude", start.amplitude);
-  file.set_attribute(group, "period_beats", start.period_beats);
-  file.set_attribute(group, "difference", start.difference);
+/// Calls `visit(name, value)` with all that is known of another start, in the order of the file.
+template <class OtherStart, class Visit>
+void visit_start(OtherStart& start, const Visit& visit) {
+  visit("start", start.start);
+  visit("failure", start.failure);
+  visit("motion", start.motion);
+  visit("amplitude", start.amplitude);
+  visit("period_beats", start.period_beats);
+  visit("difference", start.difference);
   if (!start.blades) return;
-  file.set_attribute(group, "excursion_least", start.blades->least);
-  file.set_attribute(group, "excursion_median", start.blades->median);
-  file.set_attribute(group, "excursion_largest", start.blades->largest);
+  visit("excursion_least", start.blades->least);
+  visit("excursion_median", start.blades->median);
+  visit("excursion_largest", start.blades->largest);
+}
+
+void write_other_start(Hdf5File& file, const std::string& group, const OtherStart& start) {
+  visit_start(start, [&](const char* name, const auto& value) { write_attribute(file, group, name, value); });
 }
 
 OtherStart read_other_start(const Hdf5File& file, const std::string& group) {
   OtherStart start;
-  start.start = value_named(start_names, file.text_attribute(group, "start"), file.path() + ": " + group + ": start");
-  start.failure = file.text_attribute(group, "failure");
-  start.motion =
-      value_named(motion_names, file.text_attribute(group, "motion"), file.path() + ": " + group + ": motion");
-  start.amplitude = file.number_attribute(group, "amplitude");
-  start.period_beats = file.integer_attribute(group, "period_beats");
-  start.difference = file.number_attribute(group, "difference");
-  if (file.has_attribute(group, "excursion_median"))
-    start.blades = {file.number_attribute(group, "excursion_least"), file.number_attribute(group, "excursion_median"),
-                    file.number_attribute(group, "excursion_largest")};
+  if (file.has_attribute(group, "excursion_median")) start.blades.emplace();
+  visit_start(start, [&](const char* name, auto& value) { read_attribute(file, group, name, value); });
   return start;
 }
 
@@ -133,16 +130,24 @@ std::string variation_at(const std::string& group, std::size_t place) {
   return group + "/budget/" + std::to_string(place);
 }
 
+/// The same with all that is known of a varied peak but its states.
+template <class PeakVariation, class Visit>
+void visit_variation(PeakVariation& variation, const Visit& visit) {
+  visit("variation", variation.what, any);
+  visit("setting", variation.setting, any);
+  visit("failure", variation.failure, any);
+  visit("speed", variation.speed, not_negative);
+  visit("amplitude", variation.amplitude, not_negative);
+  visit("excursion", variation.excursion, not_negative);
+  visit("motion", variation.motion, any);
+  visit("period_beats", variation.period_beats, any);
+}
+
 void write_variation(Hdf5File& file, const std::string& group, const PeakVariation& variation,
                      const SimulatedScene& scene) {
-  file.set_attribute(group, "variation", std::string(name_of(variation.what)));
-  file.set_attribute(group, "setting", variation.setting);
-  file.set_attribute(group, "failure", variation.failure);
-  file.set_attribute(group, "speed", variation.speed);
-  file.set_attribute(group, "amplitude", variation.amplitude);
-  file.set_attribute(group, "excursion", variation.excursion);
-  file.set_attribute(group, "motion", std::string(name_of(variation.motion)));
-  file.set_attribute(group, "period_beats", variation.period_beats);
+  visit_variation(variation, [&](const char* name, const auto& value, const Bounds& /*bounds*/) {
+    write_attribute(file, group, name, value);
+  });
   if (!variation.model_digest.empty()) file.set_attribute(group, "model_digest", variation.model_digest);
   if (!variation.cycle) return;
   file.set_attribute(group, "samples_per_revolution", variation.samples_per_revolution);
@@ -153,23 +158,17 @@ void write_variation(Hdf5File& file, const std::string& group, const PeakVariati
 PeakVariation read_variation(const Hdf5File& file, const std::string& group, const SimulatedScene& scene,
                              NamedAxes& axes) {
   PeakVariation variation;
-  const std::string where = file.path() + ": " + group;
-  variation.what = value_named(variation_names, file.text_attribute(group, "variation"), where + ": variation");
-  variation.setting = file.number_attribute(group, "setting");
-  variation.failure = file.text_attribute(group, "failure");
-  variation.speed = bounded(file, group, "speed", not_negative);
-  variation.amplitude = bounded(file, group, "amplitude", not_negative);
-  variation.excursion = bounded(file, group, "excursion", not_negative);
-  variation.motion = value_named(motion_names, file.text_attribute(group, "motion"), where + ": motion");
-  variation.period_beats = file.integer_attribute(group, "period_beats");
+  visit_variation(variation, [&](const char* name, auto& value, const Bounds& bounds) {
+    read_attribute(file, group, name, value, bounds);
+  });
   NamedAxes of_other_model(file);  // it has other dofs
   if (file.has_attribute(group, "model_digest")) variation.model_digest = file.text_attribute(group, "model_digest");
   if (!file.exists(group + "/cycle")) return variation;
-  bounded(file, group, "samples_per_revolution", at_least_one);
-  variation.samples_per_revolution = file.integer_attribute(group, "samples_per_revolution");
-  bounded(file, group, "cycle_samples", at_least_one);
-  variation.cycle = read_cycle(file, group + "/cycle", scene, variation.model_digest.empty() ? axes : of_other_model,
-                               file.integer_attribute(group, "cycle_samples"));
+  int samples = 0;
+  read_attribute(file, group, "samples_per_revolution", variation.samples_per_revolution, at_least_one);
+  read_attribute(file, group, "cycle_samples", samples, at_least_one);
+  variation.cycle =
+      read_cycle(file, group + "/cycle", scene, variation.model_digest.empty() ? axes : of_other_model, samples);
   return variation;
 }
 
@@ -194,31 +193,27 @@ void write_arrays(Hdf5File& file, const std::string& group, const SpeedResponse&
   const auto sectors = static_cast<std::size_t>(scene.independent_sectors);
   const auto nodes = static_cast<std::size_t>(scene.clearance.size());
   const std::string angle = group + "/angle", sector = group + "/sector", node = group + "/contact_node";
-  const std::string clearance = group + "/clearance", displacement = group + "/displacement",
-                    force = group + "/contact_force", count = group + "/contact_count";
-  file.write(clearance, speed.clearance, "m");
-  file.describe(clearance, "clearance at this speed, of the tightest blade", {node});
-  file.write(displacement, unfold(speed.displacement, {sectors, nodes, 3}), "m");
-  file.describe(displacement, "displacement without the static shift", {angle, sector, node, group + "/component"});
-  file.write(force, unfold(speed.contact_force, {sectors, nodes}), "N");
-  file.describe(force, "contact force against the normal, mean to the next sample", {angle, sector, node});
+  write_along(file, {node}, group + "/clearance", speed.clearance, "m",
+              "clearance at this speed, of the tightest blade");
+  write_along(file, {angle, sector, node, group + "/component"}, group + "/displacement",
+              unfold(speed.displacement, {sectors, nodes, 3}), "m", "displacement without the static shift");
+  write_along(file, {angle, sector, node}, group + "/contact_force", unfold(speed.contact_force, {sectors, nodes}),
+              "N", "contact force against the normal, mean to the next sample");
   const Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> counts = speed.contact_count;
-  file.write(count,
-             Array<std::int32_t>{{sectors, nodes, static_cast<std::size_t>(counts.cols())},
-                                 {counts.data(), counts.data() + counts.size()}},
-             "1");
-  file.describe(count, "recorded steps in contact", {sector, node, group + "/casing_angle"});
+  write_along(file, {sector, node, group + "/casing_angle"}, group + "/contact_count",
+              Array<std::int32_t>{{sectors, nodes, static_cast<std::size_t>(counts.cols())},
+                                  {counts.data(), counts.data() + counts.size()}},
+              "1", "recorded steps in contact");
 }
 
 /// Reads the arrays of a speed, whose shapes the scene and the numbers of the speed determine.
 void read_arrays(const Hdf5File& file, const std::string& group, NamedAxes& axes, SpeedResponse& speed) {
-  const std::string clearance = group + "/clearance", displacement = group + "/displacement",
-                    force = group + "/contact_force", count = group + "/contact_count";
-  axes.require(clearance, {nodes_axis});
+  const std::string displacement = group + "/displacement", force = group + "/contact_force",
+                    count = group + "/contact_count";
+  speed.clearance = axes.read_vector(group + "/clearance", nodes_axis);
   axes.require(displacement, {samples_axis, sectors_axis, nodes_axis, components_axis});
   axes.require(force, {samples_axis, sectors_axis, nodes_axis});
   axes.require(count, {sectors_axis, nodes_axis, "casing areas"});
-  speed.clearance = file.read_vector(clearance);
   speed.displacement = fold(file.read_array(displacement));
   speed.contact_force = fold(file.read_array(force));
   const Array<std::int32_t> counts = file.read_integers(count);
@@ -246,24 +241,8 @@ void read_kept_states(const Hdf5File& file, const std::string& group, const Simu
 
 }  // namespace
 
-const char* name_of(MotionClass motion) {
-  return name_in(motion_names, motion);
-}
-
 std::string motion_text(MotionClass motion, int period_beats) {
   return name_of(motion) + (motion == MotionClass::subharmonic ? " 1/" + std::to_string(period_beats) : "");
-}
-
-const char* name_of(MotionMeasure measure) {
-  return name_in(measure_names, measure);
-}
-
-const char* name_of(Start start) {
-  return name_in(start_names, start);
-}
-
-const char* name_of(Variation variation) {
-  return name_in(variation_names, variation);
 }
 
 bool is_finite(const SpeedResponse& speed) {
@@ -293,7 +272,9 @@ void write_speed_group(Hdf5File& file, const std::string& group, const SpeedResp
                        const SimulatedScene& scene) {
   file.set_attribute(group, "speed", speed.speed);
   for (const SpeedText& text : texts_of(speed)) file.set_attribute(group, text.name, text.value);
-  write_numbers(file, group, speed);
+  visit_numbers(speed, [&](const NumberMeaning& meaning, const auto& value) {
+    write_attribute(file, group, meaning.name, value);
+  });
   for (std::size_t i = 0; i < speed.other_starts.size(); ++i)
     write_other_start(file, start_at(group, i), speed.other_starts[i]);
   write_orbit(file, group, speed.audit.orbit);
@@ -310,14 +291,15 @@ SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, c
   SpeedResponse speed;
   speed.speed = bounded(file, group, "speed", {std::numeric_limits<double>::min(), any.high});
   speed.failure = file.text_attribute(group, "failure");
-  const std::string where = file.path() + ": " + group;
-  speed.motion = value_named(motion_names, file.text_attribute(group, "motion"), where + ": motion");
-  speed.audit.symmetry = value_named(symmetry_names, file.text_attribute(group, "symmetry"), where + ": symmetry");
-  speed.depth = value_named(depth_names, file.text_attribute(group, "depth"), where + ": depth");
-  read_numbers(file, group, speed);
+  read_attribute(file, group, "motion", speed.motion);
+  read_attribute(file, group, "symmetry", speed.audit.symmetry);
+  read_attribute(file, group, "depth", speed.depth);
+  visit_numbers(speed, [&](const NumberMeaning& meaning, auto& value) {
+    read_attribute(file, group, meaning.name, value, speed.failure.empty() ? meaning.bounds : any);
+  });
   const std::string measure = file.text_attribute(group, "halving_measure");
   if (speed.audit.halving_difference && !measure.empty())
-    speed.audit.halving_measure = value_named(measure_names, measure, where + ": halving_measure");
+    read_attribute(file, group, "halving_measure", speed.audit.halving_measure.emplace());
   if (file.has_attribute(group, "halving_failure"))  // older files have it in the measure's place
     speed.audit.halving_failure = file.text_attribute(group, "halving_failure");
   while (file.exists(start_at(group, speed.other_starts.size())))
@@ -328,7 +310,7 @@ SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, c
   axes.set(samples_axis, static_cast<std::size_t>(samples), "samples_per_revolution x recorded_revolutions");
   read_arrays(file, group, axes, speed);
   if (speed.chatter_node >= speed.clearance.size())
-    throw FileError(where + ": attribute chatter_node is " + std::to_string(speed.chatter_node) +
+    throw FileError(file.path() + ": " + group + ": attribute chatter_node is " + std::to_string(speed.chatter_node) +
                     ", must be one of the " + std::to_string(speed.clearance.size()) + " contact nodes, from 0");
   read_kept_states(file, group, scene, axes, samples, speed);
   while (file.exists(variation_at(group, speed.budget.size())))
@@ -339,12 +321,12 @@ SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, c
 std::vector<SpeedText> texts_of(const SpeedResponse& speed) {
   return {{"failure", "why there is no response; empty: there is one", speed.failure},
           {"motion", "class of the motion", name_of(speed.motion)},
-          {"symmetry", "whether nodal diameters left out stay small", name_in(symmetry_names, speed.audit.symmetry)},
+          {"symmetry", "whether nodal diameters left out stay small", name_of(speed.audit.symmetry)},
           {"halving_measure", "what the last halving of the step was measured by",
            speed.audit.halving_measure ? name_of(*speed.audit.halving_measure) : ""},
           {"halving_failure", "why half the step gave no motion; empty: it did, or was not taken",
            speed.audit.halving_failure},
-          {"depth", "how closely the speed was looked at", name_in(depth_names, speed.depth)}};
+          {"depth", "how closely the speed was looked at", name_of(speed.depth)}};
 }
 
 }  // namespace tiprub

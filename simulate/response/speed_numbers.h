@@ -5,61 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "cases/program/named_values.h"
 #include "simulate/response/response.h"
 
 namespace tiprub {
-
-// The names of enumerations in response.h5.
-inline constexpr NamedValues<MotionClass, 5> motion_names = {{
-    {MotionClass::periodic, "periodic"},
-    {MotionClass::subharmonic, "subharmonic"},
-    {MotionClass::modulated, "modulated"},
-    {MotionClass::broadband, "broadband"},
-    {MotionClass::not_settled, "not settled"},
-}};
-
-inline constexpr NamedValues<SymmetryVerdict, 5> symmetry_names = {{
-    {SymmetryVerdict::all_held, "all held"},
-    {SymmetryVerdict::unchecked, "unchecked"},
-    {SymmetryVerdict::holds, "holds"},
-    {SymmetryVerdict::breaking, "breaking"},
-    {SymmetryVerdict::undecided, "undecided"},
-}};
-
-inline constexpr NamedValues<OrbitReport::Outcome, 3> outcome_names = {{
-    {OrbitReport::Outcome::none, "none"},
-    {OrbitReport::Outcome::found, "found"},
-    {OrbitReport::Outcome::marched, "marched"},
-}};
-
-inline constexpr NamedValues<Depth, 4> depth_names = {{
-    {Depth::scanned, "scanned"},
-    {Depth::full, "full"},
-    {Depth::examined, "examined"},
-    {Depth::budgeted, "budgeted"},
-}};
-
-inline constexpr NamedValues<MotionMeasure, 2> measure_names = {{
-    {MotionMeasure::motion, "motion"},
-    {MotionMeasure::spectrum, "spectrum"},
-}};
-
-inline constexpr NamedValues<Start, 4> start_names = {{
-    {Start::up, "up"},
-    {Start::down, "down"},
-    {Start::disturbed, "disturbed"},
-    {Start::whole_wheel, "whole wheel"},
-}};
-
-inline constexpr NamedValues<Variation, 6> variation_names = {{
-    {Variation::friction, "friction"},
-    {Variation::damping, "damping"},
-    {Variation::clearance, "clearance"},
-    {Variation::gap, "gap"},
-    {Variation::step, "step"},
-    {Variation::model, "model"},
-}};
 
 /// The allowed range of a number of a speed that did not fail; ends included.
 struct Bounds {

@@ -7,17 +7,17 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "cases/program/errors.h"
 #include "cases/program/machine.h"
 #include "cases/program/text.h"
 #include "reduce/model/hdf5_file.h"
+#include "simulate/motion/column.h"
 #include "simulate/response/named_axes.h"
-#include "simulate/response/scene_group.h"
+#include "simulate/response/response_groups.h"
 #include "simulate/response/sealed_file.h"
-#include "simulate/response/speed_group.h"
 #include "simulate/response/speed_numbers.h"
 
 namespace tiprub {
@@ -68,14 +68,12 @@ Hdf5File open_response(const std::filesystem::path& path) {
     throw FileError(path.string() +
                     ": was damaged after it was written (its seal is broken); run tiprub-simulate again");
   Hdf5File file = Hdf5File::open(path, seal == Seal::whole ? Hdf5File::Bytes::as_written : Hdf5File::Bytes::unknown);
-  if (file.has_attribute("/", "schema") && file.text_attribute("/", "schema") == schema &&
-      file.has_attribute("/", "schema_version") && file.integer_attribute("/", "schema_version") < oldest_version)
-    throw FileError(file.path() + ": is " + schema + " version " +
-                    std::to_string(file.integer_attribute("/", "schema_version")) +
+  const int version =
+      file.has_attribute("/", "schema_version") ? file.integer_attribute("/", "schema_version") : schema_version;
+  if (version < oldest_version && file.has_attribute("/", "schema") && file.text_attribute("/", "schema") == schema)
+    throw FileError(file.path() + ": is " + schema + " version " + std::to_string(version) +
                     ", made by an older tiprub-simulate; run it again");
-  const bool former =
-      file.has_attribute("/", "schema_version") && file.integer_attribute("/", "schema_version") == oldest_version;
-  file.require_schema(schema, former ? oldest_version : schema_version);
+  file.require_schema(schema, version == oldest_version ? oldest_version : schema_version);
   return file;
 }
 
@@ -107,13 +105,11 @@ OrbitBranch read_branch(const Hdf5File& file, std::size_t place, NamedAxes& axes
   OrbitBranch branch;
   for (const BranchArray& array : arrays) {
     const std::string dataset = group + "/" + array.name;
-    axes.require(dataset, {orbits});
-    branch.*array.values = file.read_vector(dataset);
+    branch.*array.values = axes.read_vector(dataset, orbits);
     require_sound(file, dataset, branch.*array.values);
   }
   if (file.exists(group + "/fold")) {
-    axes.require(group + "/fold", {"folds of branch " + std::to_string(place)});
-    branch.folds = file.read_vector(group + "/fold");
+    branch.folds = axes.read_vector(group + "/fold", "folds of branch " + std::to_string(place));
     require_sound(file, group + "/fold", branch.folds);
   }
   if (!(branch.speed.minCoeff() > 0)) throw FileError(file.path() + ": " + group + "/speed must be above 0");
@@ -128,9 +124,8 @@ void write_branch(Hdf5File& file, std::size_t place, const OrbitBranch& branch) 
   const std::string group = branch_group(place);
   write_counting_axis(file, group + "/orbit", branch.speed.size(), "orbit in the order of arc length, from 0");
   for (const BranchArray& array : arrays) {
-    const std::string dataset = group + "/" + array.name;
-    file.write(dataset, branch.*array.values, array.unit);
-    file.describe(dataset, array.long_name, {group + "/orbit"});
+    write_along(file, {group + "/orbit"}, group + "/" + array.name, branch.*array.values, array.unit,
+                array.long_name);
   }
   if (branch.folds.size() > 0) write_axis(file, group + "/fold", branch.folds, "rad/s", "speed of a fold");
   file.set_attribute(group, "start", branch.start);
@@ -152,52 +147,11 @@ void comment_multipliers(Hdf5File& file, const std::string& group, const Simulat
     file.set_attribute(group + "/multiplier", "comment", impacts->reason);
 }
 
-const std::string axis = "/rotor_speed";
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-Array<double> along_one_axis(const std::vector<double>& values) {
-  return {{values.size()}, values};
-}
-
-}  // namespace
-
-/// The numbers of all speeds once more, along one axis of speed in the root of response.h5, for netCDF tools. Our
-/// reader uses the groups of the speeds.
-class SpeedAxis {
- public:
-  void add(const SpeedResponse& speed);
-  /// `rotor_speed` and one dataset along it for each number and each text. Raises RunError.
-  void write(Hdf5File& file) const;
-
- private:
-  struct Numbers {
-    const char* name;
-    const char* units;
-    const char* long_name;
-    std::vector<double> values;  ///< NaN where a speed has none
-  };
-  struct Texts {
-    const char* name;
-    const char* long_name;
-    std::vector<std::string> values;
-  };
-
-  std::vector<double> speeds_;  ///< [rad/s]
-  std::vector<Numbers> numbers_;
-  std::vector<Texts> texts_;
-};
-
-void SpeedAxis::add(const SpeedResponse& speed) {
-  speeds_.push_back(speed.speed);
-  std::size_t place = 0;
-  const auto note = [&](bool held, const NumberMeaning& meaning, const auto& value) {
-    if (place == numbers_.size()) numbers_.push_back({meaning.name, meaning.units, meaning.long_name, {}});
-    double number = none;
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<double>>)
-      number = value.value_or(none);
-    else
-      number = static_cast<double>(value);
-    numbers_[place++].values.push_back(held ? number : none);
+SpeedRow row_of(const SpeedResponse& speed) {
+  SpeedRow row{speed.speed, {}, texts_of(speed)};
+  const auto note = [&](bool held, const NumberMeaning& meaning, const std::optional<double>& value) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    row.numbers.push_back({meaning, held ? value.value_or(none) : none});
   };
   visit_numbers(
       speed, [&](const NumberMeaning& meaning, const auto& value) { note(speed.failure.empty(), meaning, value); });
@@ -205,34 +159,37 @@ void SpeedAxis::add(const SpeedResponse& speed) {
   visit_orbit_numbers(orbit, [&](const NumberMeaning& meaning, const auto& value) {
     note(orbit.outcome != OrbitReport::Outcome::none, meaning, value);
   });
-  place = 0;
-  for (SpeedText& text : texts_of(speed)) {
-    if (place == texts_.size()) texts_.push_back({text.name, text.long_name, {}});
-    texts_[place++].values.push_back(std::move(text.value));
+  return row;
+}
+
+/// Writes the numbers of all speeds once more, along one axis of speed in the root of response.h5, for netCDF tools.
+/// Our reader uses the groups of the speeds. Raises RunError.
+void write_speed_axis(Hdf5File& file, const std::vector<SpeedRow>& rows) {
+  const std::string axis = "/rotor_speed";
+  write_axis(file, axis, column(rows, &SpeedRow::speed), "rad/s", "speed of the rotor");
+  if (rows.empty()) return;
+  for (std::size_t i = 0; i < rows.front().numbers.size(); ++i) {
+    const NumberMeaning& meaning = rows.front().numbers[i].meaning;
+    write_along(file, {axis}, std::string("/") + meaning.name,
+                column(rows, [&](const SpeedRow& row) { return row.numbers[i].value; }), meaning.units,
+                meaning.long_name);
+  }
+  for (std::size_t i = 0; i < rows.front().texts.size(); ++i) {
+    const std::string name = std::string("/") + rows.front().texts[i].name;
+    std::vector<std::string> texts;
+    for (const SpeedRow& row : rows) texts.push_back(row.texts[i].value);
+    file.write(name, texts);
+    file.describe(name, rows.front().texts[i].long_name, {axis});
   }
 }
 
-void SpeedAxis::write(Hdf5File& file) const {
-  file.write(axis, along_one_axis(speeds_), "rad/s");
-  file.make_axis(axis);
-  file.describe(axis, "speed of the rotor");
-  for (const Numbers& column : numbers_) {
-    const std::string name = std::string("/") + column.name;
-    file.write(name, along_one_axis(column.values), column.units);
-    file.describe(name, column.long_name, {axis});
-  }
-  for (const Texts& column : texts_) {
-    const std::string name = std::string("/") + column.name;
-    file.write(name, column.values);
-    file.describe(name, column.long_name, {axis});
-  }
-}
+}  // namespace
 
 struct ResponseWriter::State {
   Hdf5File file;
   SimulatedScene scene;
   ResponseUse use;
-  SpeedAxis axis = {};
+  std::vector<SpeedRow> rows = {};
   std::size_t count = 0, branches = 0;
 };
 
@@ -251,7 +208,7 @@ ResponseWriter::~ResponseWriter() = default;
 
 void ResponseWriter::add(const SpeedResponse& speed) {
   write_speed_group(state_->file, group_of(state_->count++), speed, state_->scene);
-  state_->axis.add(speed);
+  state_->rows.push_back(row_of(speed));
 }
 
 void ResponseWriter::add(const FrequencyTable& frequencies) {
@@ -279,7 +236,7 @@ void ResponseWriter::add_end(const RotorState& state) {
 
 void ResponseWriter::close() {
   if (state_->use == ResponseUse::kept) {
-    state_->axis.write(state_->file);
+    write_speed_axis(state_->file, state_->rows);
     comment_multipliers(state_->file, "", state_->scene);
   }
   state_->file.close();
@@ -303,15 +260,6 @@ RotorState read_end_state(const std::filesystem::path& path) {
     state.velocity[n] = file.read_complex_matrix(end_group + "/" + name + "/velocity");
   }
   return state;
-}
-
-void write_response(const Response& response, const std::filesystem::path& path, const std::string& generator) {
-  ResponseWriter writer(path, response.scene, response.key, generator);
-  if (response.frequencies.speed.size() > 0) writer.add(response.frequencies);
-  for (const SpeedResponse& speed : response.speeds) writer.add(speed);
-  for (const OrbitBranch& branch : response.branches) writer.add(branch);
-  writer.add_scanned(response.scanned_speeds, response.scanned_amplitudes);
-  writer.close();
 }
 
 std::string read_response_key(const std::filesystem::path& path) {

@@ -10,16 +10,14 @@
 
 namespace tiprub {
 
-/// response.h5, schema "tiprub-response" version 5; the format is described in simulate/format.md.
-void write_response(const Response& response, const std::filesystem::path& path, const std::string& generator);
-
 /// The purpose of a file.
 enum class ResponseUse {
   kept,     ///< the result of a sweep
   passing,  ///< a part of a sweep, soon read and removed: not compressed, without the axis of all speeds
 };
 
-/// Writes the same file speed by speed, for sweeps that do not fit into memory. Speeds must ascend.
+/// Writes response.h5, schema "tiprub-response" version 5, speed by speed, because sweeps may not fit into memory.
+/// The format is described in simulate/format.md. Speeds must ascend.
 class ResponseWriter {
  public:
   ResponseWriter(const std::filesystem::path& path, const SimulatedScene& scene, const std::string& key,

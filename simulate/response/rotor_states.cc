@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/response/rotor_states.h"
+#include "simulate/response/response_groups.h"
 
 #include <numbers>
 #include <string>

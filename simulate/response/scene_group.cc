@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/response/scene_group.h"
+#include "simulate/response/response_groups.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/response/speed_group.h"
+#include "simulate/response/response_groups.h"
 
 #include <cmath>
 #include <limits>
@@ -9,7 +9,6 @@
 
 #include "cases/program/text.h"
 #include "simulate/response/named_axes.h"
-#include "simulate/response/rotor_states.h"
 #include "simulate/response/speed_numbers.h"
 
 namespace tiprub {
@@ -248,23 +247,20 @@ std::string motion_text(MotionClass motion, int period_beats) {
 bool is_finite(const SpeedResponse& speed) {
   bool finite = speed.displacement.allFinite() && speed.contact_force.allFinite() && speed.clearance.allFinite() &&
                 std::isfinite(speed.audit.orbit.residual) && std::isfinite(speed.audit.orbit.multiplier);
-  visit_numbers(speed, [&](const NumberMeaning&, const auto& value) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<double>>)
-      finite = finite && std::isfinite(value.value_or(0));
-    else
-      finite = finite && std::isfinite(static_cast<double>(value));
+  const auto require = [&](const auto& states_by_diameter) {
+    for (const auto& states : states_by_diameter) finite = finite && states.allFinite();
+  };
+  visit_numbers(speed, [&](const NumberMeaning&, const std::optional<double>& value) {
+    finite = finite && std::isfinite(value.value_or(0));
   });
   for (const OtherStart& start : speed.other_starts)
     finite = finite && std::isfinite(start.amplitude) && std::isfinite(start.difference);
   for (const PeakVariation& variation : speed.budget) {
     finite = finite && std::isfinite(variation.amplitude) && std::isfinite(variation.excursion);
-    if (variation.cycle)
-      for (const Eigen::MatrixXcd& states : variation.cycle->displacement) finite = finite && states.allFinite();
+    if (variation.cycle) require(variation.cycle->displacement);
   }
-  if (speed.snapshot)
-    for (const Eigen::VectorXcd& state : speed.snapshot->displacement) finite = finite && state.allFinite();
-  if (speed.cycle)
-    for (const Eigen::MatrixXcd& states : speed.cycle->displacement) finite = finite && states.allFinite();
+  if (speed.snapshot) require(speed.snapshot->displacement);
+  if (speed.cycle) require(speed.cycle->displacement);
   return finite;
 }
 

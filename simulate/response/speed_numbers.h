@@ -130,4 +130,15 @@ struct SpeedText {
 
 std::vector<SpeedText> texts_of(const SpeedResponse& speed);
 
+/// What a speed shows along the axis of all speeds.
+struct SpeedRow {
+  struct Number {
+    NumberMeaning meaning;
+    double value;  ///< NaN where the speed has none
+  };
+  double speed;  ///< [rad/s]
+  std::vector<Number> numbers;
+  std::vector<SpeedText> texts;
+};
+
 }  // namespace tiprub

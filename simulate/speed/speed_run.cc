@@ -9,7 +9,7 @@
 #include "simulate/march/march_state.h"
 #include "simulate/motion/attempt.h"
 #include "simulate/orbits/excluded_growth.h"
-#include "simulate/response/speed_group.h"
+#include "simulate/response/response_groups.h"
 #include "simulate/speed/error_budget.h"
 #include "simulate/speed/settled_march.h"
 
@@ -65,25 +65,27 @@ constexpr const char* not_finite =
     "the motion has numbers that are not finite; check the units of the model, the damping and the casing's "
     "amplitude";
 
-/// Whether the nodal diameters that symmetry leaves out stay small.
-struct SymmetryCheck {
-  SymmetryVerdict verdict = SymmetryVerdict::all_held;
-  std::optional<Growth> growth;
-};
-
-SymmetryCheck check_symmetry(const Scene& scene, const RefinedMotion& found) {
-  if (found.excluded) return {judge(*found.excluded), found.excluded};
+/// The growth of the nodal diameters that symmetry leaves out; empty if it was not computed.
+std::optional<Growth> growth_of_excluded(const Scene& scene, const RefinedMotion& found) {
+  if (found.excluded) return found.excluded;
   const SettledMotion& motion = found.motion;
-  if (motion.march->rotor().others.empty()) return {};
-  const int revolutions = scene.parameters.symmetry_check_revolutions;
-  if (revolutions == 0 || motion.recorded.displacement.isZero(0)) return {SymmetryVerdict::unchecked, {}};
-  const int period = motion.state.period_revolutions;
+  const int revolutions = scene.parameters.symmetry_check_revolutions, period = motion.state.period_revolutions;
+  if (revolutions == 0 || motion.recorded.displacement.isZero(0)) return std::nullopt;
   const auto growth = attempt([&] {
     return period > 0 && has_symmetric_map(scene) ? excluded_growth_along(*motion.march, period, revolutions)
                                                   : excluded_growth(*motion.march, period, revolutions);
   });
-  if (!growth.result) return {SymmetryVerdict::unchecked, {}};
-  return {judge(*growth.result, motion.state.period_revolutions), growth.result};
+  return growth.result;
+}
+
+/// Checks whether they stay small.
+void check_symmetry(const Scene& scene, const RefinedMotion& found, SpeedAudit& audit) {
+  if (found.motion.march->rotor().others.empty()) return;
+  const std::optional<Growth> growth = growth_of_excluded(scene, found);
+  audit.symmetry = growth ? judge(*growth, found.motion.state.period_revolutions) : SymmetryVerdict::unchecked;
+  if (!growth) return;
+  audit.excluded_growth = growth->factor;
+  audit.excluded_growth_uncertainty = growth->uncertainty;
 }
 
 /// The difference of a motion from the one from rest; empty if there is none from rest.
@@ -93,20 +95,6 @@ std::optional<double> rest_difference(const Scene& scene, const SharedRotor& rot
     return difference(found.sampled(), from_rest.sampled(), scene.casing.lobes).value;
   });
   return difference_to_rest.result;
-}
-
-void report(const SymmetryCheck& check, SpeedAudit& audit) {
-  audit.symmetry = check.verdict;
-  if (!check.growth) return;
-  audit.excluded_growth = check.growth->factor;
-  audit.excluded_growth_uncertainty = check.growth->uncertainty;
-}
-
-void report(const Attempt<MotionDifference>& halving, SpeedAudit& audit) {
-  audit.halving_failure = halving.failure;
-  if (!halving.result) return;
-  audit.halving_difference = halving.result->value;
-  audit.halving_measure = halving.result->measure;
 }
 
 /// The part of a motion that response.h5 keeps.
@@ -169,23 +157,27 @@ SpeedResult run(const Scene& scene, double speed, Depth depth, const RotorState&
       settle_within_tolerance(scene, rotor, start, is_examined ? CycleChoice::kept : CycleChoice::left);
   SpeedResult result;
   result.end = state_of(*found.motion.march, scene.model);
-  const SymmetryCheck symmetry = check_symmetry(scene, found);
-  std::optional<double> from_rest;
-  if (!start.at_rest()) from_rest = rest_difference(scene, rotor, found.motion);
+  SpeedAudit audit;
+  audit.orbit = found.orbit;
+  audit.step_reached = found.step_reached;
+  audit.compliance_condition = found.motion.compliance_condition;
+  check_symmetry(scene, found, audit);
+  if (!start.at_rest()) audit.rest_difference = rest_difference(scene, rotor, found.motion);
   Attempt<MotionDifference> halving{found.halving, ""};
   if (is_examined && !halving.result) halving = halved_step(scene, rotor, result.end, found.motion);
+  audit.halving_failure = halving.failure;
+  if (halving.result) {
+    audit.halving_difference = halving.result->value;
+    audit.halving_measure = halving.result->measure;
+  }
   std::vector<OtherStart> others;
-  if (is_examined) others = other_starts(scene, rotor, result.end, found.motion, symmetry.verdict, helpers);
+  if (is_examined) others = other_starts(scene, rotor, result.end, found.motion, audit.symmetry, helpers);
   std::vector<PeakVariation> budget;
   if (depth == Depth::budgeted) budget = error_budget(scene, speed, found.motion, helpers);
   result.response = response_of(std::move(found.motion));
+  result.response.audit = std::move(audit);
   result.response.other_starts = std::move(others);
   result.response.budget = std::move(budget);
-  result.response.audit.orbit = found.orbit;
-  result.response.audit.rest_difference = from_rest;
-  report(symmetry, result.response.audit);
-  report(halving, result.response.audit);
-  result.response.audit.step_reached = found.step_reached;
   return result;
 }
 

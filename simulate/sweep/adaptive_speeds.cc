@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include "simulate/motion/column.h"
+
 namespace tiprub::simulate {
 
 namespace {
@@ -22,15 +24,7 @@ constexpr double of_scan_fall = 0.05, of_scan_amplitude = 0.05;
 constexpr double finest = 2e-4;  // of the speed: no interval becomes narrower
 
 Eigen::VectorXd amplitudes(const SampledCurve& curve) {
-  Eigen::VectorXd values(static_cast<Eigen::Index>(curve.size()));
-  for (std::size_t i = 0; i < curve.size(); ++i) values[static_cast<Eigen::Index>(i)] = curve[i].amplitude;
-  return values;
-}
-
-Eigen::VectorXd speeds_of(const SampledCurve& curve) {
-  Eigen::VectorXd values(static_cast<Eigen::Index>(curve.size()));
-  for (std::size_t i = 0; i < curve.size(); ++i) values[static_cast<Eigen::Index>(i)] = curve[i].speed;
-  return values;
+  return column(curve, &SampledSpeed::amplitude);
 }
 
 /// Candidates that may prove to be peaks when more speeds are computed.
@@ -55,7 +49,7 @@ void close_in(const PeakTop& peak, const LocationGoal& goal, std::set<double>& n
 
 /// Halves each gap beside a peak in which the response may rise too far above it.
 void halve_gaps(const SampledCurve& curve, Eigen::Index place, const LocationGoal& goal, std::set<double>& next) {
-  const Eigen::VectorXd speed = speeds_of(curve), amplitude = amplitudes(curve);
+  const Eigen::VectorXd speed = column(curve, &SampledSpeed::speed), amplitude = amplitudes(curve);
   for (const int step : {-1, 1}) {
     const double gap = speed[place + step] - speed[place];
     if (std::abs(gap) > 2 * goal.narrowest * speed[place] &&
@@ -91,17 +85,10 @@ void look_beside(const SampledCurve& curve, std::size_t peak, const LocationGoal
   }
 }
 
-bool jumps(const SampledSpeed& low, const SampledSpeed& high, const LocationGoal& goal) {
-  const double change = std::abs(high.amplitude - low.amplitude);
-  const bool near = high.speed - low.speed <= goal.jump_reach * high.speed;
-  return near && change > goal.jump * std::max(low.amplitude, high.amplitude);
-}
-
 void refine_jumps(const SampledCurve& curve, const LocationGoal& goal, std::set<double>& next) {
-  for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
-    const SampledSpeed &low = curve[i], &high = curve[i + 1];
-    if (jumps(low, high, goal) && high.speed - low.speed > goal.jump_width * high.speed)
-      next.insert(0.5 * (low.speed + high.speed));
+  for (const std::size_t i : located_jumps(curve, goal)) {
+    const double low = curve[i].speed, high = curve[i + 1].speed;
+    if (high - low > goal.jump_width * high) next.insert(0.5 * (low + high));
   }
 }
 
@@ -173,17 +160,20 @@ std::vector<double> speeds_to_confirm(const SampledCurve& scan, const SampledCur
   }
   LocationGoal narrow = goal;
   narrow.jump_reach = goal.jump_width;
-  for (std::size_t i = 0; i + 1 < scan.size(); ++i)
-    if (jumps(scan[i], scan[i + 1], narrow))
-      next.insert({std::max((1 - beyond_jump) * scan[i].speed, scan.front().speed), scan[i].speed, scan[i + 1].speed,
-                   std::min((1 + beyond_jump) * scan[i + 1].speed, scan.back().speed)});
+  for (const std::size_t i : located_jumps(scan, narrow))
+    next.insert({std::max((1 - beyond_jump) * scan[i].speed, scan.front().speed), scan[i].speed, scan[i + 1].speed,
+                 std::min((1 + beyond_jump) * scan[i + 1].speed, scan.back().speed)});
   return without(std::move(next), full);
 }
 
 std::vector<std::size_t> located_jumps(const SampledCurve& curve, const LocationGoal& goal) {
   std::vector<std::size_t> places;
-  for (std::size_t i = 0; i + 1 < curve.size(); ++i)
-    if (jumps(curve[i], curve[i + 1], goal)) places.push_back(i);
+  for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
+    const SampledSpeed &low = curve[i], &high = curve[i + 1];
+    const double change = std::abs(high.amplitude - low.amplitude);
+    const bool near = high.speed - low.speed <= goal.jump_reach * high.speed;
+    if (near && change > goal.jump * std::max(low.amplitude, high.amplitude)) places.push_back(i);
+  }
   return places;
 }
 

@@ -11,6 +11,7 @@
 #include <mutex>
 #include <numbers>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <thread>
 #include <utility>
@@ -21,6 +22,7 @@
 #include "cases/program/progress.h"
 #include "cases/program/text.h"
 #include "simulate/march/rotor_at_speed.h"
+#include "simulate/motion/column.h"
 #include "simulate/response/response_file.h"
 #include "simulate/speed/speed_run.h"
 #include "simulate/sweep/adaptive_speeds.h"
@@ -65,22 +67,6 @@ void require_memory(const Scene& scene, int threads, double available) {
       " speeds at once, ", each / bytes_per_gib, " GiB each), ", available / bytes_per_gib,
       " GiB are available; lower [simulate] samples_per_revolution, recorded_revolutions or casing_areas, or take "
       "fewer threads"));
-}
-
-/// [rad/s] the speeds of amplitudes over speed.
-Eigen::VectorXd speeds_of(const std::map<double, double>& amplitudes) {
-  Eigen::VectorXd speeds(static_cast<Eigen::Index>(amplitudes.size()));
-  Eigen::Index place = 0;
-  for (const auto& [speed, amplitude] : amplitudes) speeds[place++] = speed;
-  return speeds;
-}
-
-/// [m] The amplitudes; negative where there is none.
-Eigen::VectorXd amplitudes_of(const std::map<double, double>& amplitudes) {
-  Eigen::VectorXd all(static_cast<Eigen::Index>(amplitudes.size()));
-  Eigen::Index place = 0;
-  for (const auto& [speed, amplitude] : amplitudes) all[place++] = std::isnan(amplitude) ? -1 : amplitude;
-  return all;
 }
 
 /// A speed of a sweep and how thoroughly it is to be computed.
@@ -158,7 +144,7 @@ void Sweep::open(const SweepSettings& settings, const SceneOrigin& origin) {
 }
 
 std::vector<double> Sweep::speeds() const {
-  const Eigen::VectorXd speeds = speeds_of(full_);
+  const auto speeds = std::views::keys(full_);
   return {speeds.begin(), speeds.end()};
 }
 
@@ -179,7 +165,9 @@ void Sweep::assemble(SweepOutcome& outcome) {
     writer.add(response);
   }
   for (const OrbitBranch& branch : branches) writer.add(branch);
-  writer.add_scanned(speeds_of(scanned_), amplitudes_of(scanned_));
+  const auto speed = [](const auto& at) { return at.first; };
+  const auto amplitude_or_negative = [](const auto& at) { return std::isnan(at.second) ? -1 : at.second; };
+  writer.add_scanned(column(scanned_, speed), column(scanned_, amplitude_or_negative));
   writer.close();
   const bool all_failed = outcome.tally.failed == full_.size();
   if (!all_failed) file.commit();

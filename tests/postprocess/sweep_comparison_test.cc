@@ -12,6 +12,7 @@
 #include "cases/program/errors.h"
 #include "simulate/response/response_file.h"
 #include "synthetic_scene.h"
+#include "tests/simulate/written_response.h"
 
 namespace fs = std::filesystem;
 

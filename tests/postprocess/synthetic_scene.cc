@@ -12,6 +12,7 @@
 #include "simulate/motion/casing_areas.h"
 #include "simulate/response/response_file.h"
 #include "synthetic_fields.h"
+#include "tests/simulate/written_response.h"
 
 namespace tiprub::postprocess::synthetic {
 

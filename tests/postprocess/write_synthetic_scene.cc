@@ -7,6 +7,7 @@
 #include "simulate/response/response_file.h"
 #include "synthetic_fields.h"
 #include "synthetic_scene.h"
+#include "tests/simulate/written_response.h"
 
 namespace tiprub::postprocess::synthetic {
 namespace {

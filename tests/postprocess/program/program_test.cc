@@ -16,6 +16,7 @@
 #include "program_fixture.h"
 #include "reduce/model/reduced_model_file.h"
 #include "simulate/response/response_file.h"
+#include "tests/simulate/written_response.h"
 
 namespace fs = std::filesystem;
 

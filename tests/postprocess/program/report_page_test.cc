@@ -16,6 +16,7 @@
 #include "reduce/model/reduced_model_file.h"
 #include "simulate/response/response_file.h"
 #include "synthetic_fields.h"
+#include "tests/simulate/written_response.h"
 
 namespace fs = std::filesystem;
 

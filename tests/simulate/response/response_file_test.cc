@@ -12,9 +12,10 @@
 #include <vector>
 
 #include "reduce/model/hdf5_file.h"
-#include "simulate/response/speed_group.h"
+#include "simulate/response/response_groups.h"
 #include "tests/cases/complaint.h"
 #include "tests/cases/full_disk.h"
+#include "tests/simulate/written_response.h"
 
 namespace tiprub::simulate {
 namespace {

@@ -11,6 +11,7 @@
 #include "reduce/model/hdf5_file.h"
 #include "simulate/response/response_file.h"
 #include "tests/simulate/synthetic_wheel.h"
+#include "tests/simulate/written_response.h"
 
 namespace tiprub::simulate {
 namespace {

@@ -6,6 +6,13 @@
 
 namespace tiprub::simulate::kernels {
 
+/// `count` rounded up to whole blocks.
+template <class Integer>
+constexpr Integer rounded_up(Integer count, std::size_t block) {
+  const auto unit = static_cast<Integer>(block);
+  return (count + unit - 1) / unit * unit;
+}
+
 /// An array of doubles, initially zero, that begins on a cache line: a vector of eight that straddles two lines would
 /// cost two loads.
 class Lines {

@@ -123,8 +123,7 @@ void ContactImpulses::open() {
 }
 
 void ContactImpulses::factorize() {
-  const bool symmetric = !compliance_->has_friction(), constant = compliance_->is_constant();
-  if (constant && closed_ == factorized_) return;
+  if (compliance_->is_constant() && closed_ == factorized_) return;
   factorized_.clear();
   const std::size_t size = closed_.size();
   compliance_->block(closed_, lower_.data());
@@ -133,7 +132,7 @@ void ContactImpulses::factorize() {
     std::fill(values + size, values + kernels::whole_vectors(size), 0.0);
     values[column] *= 1 + diagonal_shift;
   }
-  if (!(symmetric ? kernels::factorize(factor(), size) : kernels::factorize_unsymmetric(factor(), size)))
+  if (!kernels::factorize(factor(), size, !compliance_->has_friction()))
     throw NoMotion("the contact compliance of " + std::to_string(size) +
                    " closed nodes is not positive definite: nodes lie too close together, modes are too few, or "
                    "there is too much friction");

@@ -14,6 +14,27 @@
 
 namespace tiprub::simulate {
 
+struct MarchSetup;
+
+/// A law that gives the contact forces of a step. It is expressed by gaps only, so that no velocity of the casing is
+/// needed.
+class ContactLaw {
+ public:
+  virtual ~ContactLaw() = default;
+
+  /// Finds the forces from the gaps at t_q and those of the free step to t_{q+1}, and updates the latter. Returns
+  /// whether there are any forces. `penetrates`: whether a free gap is negative.
+  virtual bool step(const Eigen::VectorXd& gap_before, Eigen::VectorXd& gap, bool penetrates) = 0;
+
+  /// [N] the forces at t_q along -normal; zero for open nodes.
+  virtual const Eigen::VectorXd& multipliers() const = 0;
+  /// [m] W lambda, by which the forces change the gaps.
+  virtual const Eigen::VectorXd& correction() const = 0;
+  /// Indices of the nodes that have a force, ascending.
+  virtual const std::vector<int>& closed() const = 0;
+  virtual std::int64_t fallbacks() const { return 0; }
+};
+
 /// The inverse V of the block of W that belongs to the closed nodes, kept from step to step. A node that closes or
 /// opens changes it by a matrix of rank one, and the forces of a set are one product. Rounding errors accumulate, and
 /// W may be singular. The caller must therefore check the gaps that remain under the forces, and call clear() where
@@ -43,8 +64,9 @@ class ClosedInverse {
   std::vector<char> wanted_;  ///< by node, while the set is followed
 };
 
-/// The contact forces of one step. With g the gaps of the free step (positive open) and W the compliance of the
-/// contact nodes over one step (block circulant, built once a speed), finds lambda >= 0 with
+/// Contact in positions: the force at t_q closes the gap at t_{q+1}. With g the gaps of the free step (positive open)
+/// and W the compliance of the contact nodes over one step (block circulant, built once a speed), finds lambda >= 0
+/// with
 ///   g+ = g + W lambda >= 0,  lambda . g+ = 0
 /// by a primal-dual active set (Hintermueller, Ito, Kunisch 2003), which starts from the set of the last step. Each
 /// set is solved with the inverse of the block of the closed nodes, which is kept from step to step, or with a factor
@@ -60,7 +82,7 @@ class ClosedInverse {
 /// The paper's rule accepts a negative multiplier (the casing pulls) in some steps and leaves other nodes penetrating
 /// in many. It is kept for reproduction, and its violations are counted. The paper's eq. 15 has the opposite sign of
 /// its eq. 14: here g+ = g + W lambda.
-class ContactImpulses {
+class ContactImpulses final : public ContactLaw {
  public:
   /// A row of zeros of W belongs to a node that never closes.
   ContactImpulses(std::shared_ptr<ContactCompliance> compliance, ContactRule rule);
@@ -68,22 +90,26 @@ class ContactImpulses {
   ContactImpulses(const Eigen::MatrixXd& compliance, ContactRule rule)
       : ContactImpulses(std::make_shared<ContactCompliance>(compliance), rule) {}
 
+  bool step(const Eigen::VectorXd& /*gap_before*/, Eigen::VectorXd& gap, bool penetrates) override {
+    if (penetrates)
+      solve(gap);
+    else
+      open();
+    return penetrates;
+  }
   /// Takes the gaps [m] of the free step to those of the step: g += W lambda. At least one gap must be negative.
   /// Raises NoMotion if no solution is found (W has a negative principal minor).
   void solve(Eigen::Ref<Eigen::VectorXd> gap);
   /// Records a step without contact.
   void open();
 
-  /// [N]; n, zero for open nodes.
-  const Eigen::VectorXd& multipliers() const { return multipliers_; }
-  /// [m] W lambda, what the last solve() added to the gaps; n.
-  const Eigen::VectorXd& correction() const { return correction_; }
-  /// Indices of closed nodes, ascending.
-  const std::vector<int>& closed() const { return closed_; }
+  const Eigen::VectorXd& multipliers() const override { return multipliers_; }
+  const Eigen::VectorXd& correction() const override { return correction_; }
+  const std::vector<int>& closed() const override { return closed_; }
 
   /// How often a set was factorized: always if W changes, otherwise where the kept inverse was not accurate enough.
   std::int64_t factorizations() const { return factorizations_; }
-  std::int64_t fallbacks() const { return fallbacks_; }
+  std::int64_t fallbacks() const override { return fallbacks_; }
 
  private:
   // These work on free_gap_, gap_, closed_, multipliers_ and correction_.
@@ -110,5 +136,9 @@ class ContactImpulses {
   std::int64_t factorizations_ = 0;
   std::int64_t fallbacks_ = 0;
 };
+
+/// The law of a scheme: complementarity or the paper's rule in positions, impulses in velocities, or springs.
+std::unique_ptr<ContactLaw> contact_law(const MarchSetup& setup,
+                                        const std::shared_ptr<ContactCompliance>& compliance);
 
 }  // namespace tiprub::simulate

@@ -153,12 +153,8 @@ void add_dyad(double* matrix, std::size_t stride, std::size_t size, const double
   in_eights<AddDyad>(matrix, stride, size, u, factor);
 }
 
-bool factorize(const Factor& factor, std::size_t size) {
-  return in_eights<Factorize<true>>(factor, size);
-}
-
-bool factorize_unsymmetric(const Factor& factor, std::size_t size) {
-  return in_eights<Factorize<false>>(factor, size);
+bool factorize(const Factor& factor, std::size_t size, bool symmetric) {
+  return symmetric ? in_eights<Factorize<true>>(factor, size) : in_eights<Factorize<false>>(factor, size);
 }
 
 void solve(const Factor& factor, std::size_t size, double* x) {

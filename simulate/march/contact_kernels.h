@@ -55,10 +55,9 @@ struct Factor {
   std::size_t stride;
 };
 /// Factorizes the matrix. Returns whether it is positive definite, and stops at the first pivot that is not positive.
-bool factorize(const Factor& factor, std::size_t size);
-/// The same for an unsymmetric matrix, as L D U: `lower` holds all of it on entry, and U takes the place of L^T. If
-/// all principal minors are positive (a P-matrix), the pivots are positive in any order.
-bool factorize_unsymmetric(const Factor& factor, std::size_t size);
+/// An unsymmetric matrix becomes L D U: `lower` holds all of it on entry, and U takes the place of L^T. If all
+/// principal minors are positive (a P-matrix), the pivots are positive in any order.
+bool factorize(const Factor& factor, std::size_t size, bool symmetric);
 /// Overwrites the right side x with the solution of the factorized system.
 void solve(const Factor& factor, std::size_t size, double* x);
 

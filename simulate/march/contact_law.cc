@@ -1,37 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/march/contact_law.h"
-
 #include <limits>
 
 #include "simulate/march/contact_impulses.h"
+#include "simulate/march/marched_scene.h"
 
 namespace tiprub::simulate {
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// 0 <= lambda perpendicular to g+ >= 0, or the paper's rule. The force at t_q closes the gap at t_{q+1}.
-class PositionContact final : public ContactLaw {
- public:
-  PositionContact(const std::shared_ptr<ContactCompliance>& compliance, ContactRule rule)
-      : impulses_(compliance, rule) {}
-
-  bool step(const Eigen::VectorXd& /*gap_before*/, Eigen::VectorXd& gap, bool penetrates) override {
-    if (penetrates)
-      impulses_.solve(gap);
-    else
-      impulses_.open();
-    return penetrates;
-  }
-  const Eigen::VectorXd& multipliers() const override { return impulses_.multipliers(); }
-  const Eigen::VectorXd& correction() const override { return impulses_.correction(); }
-  const std::vector<int>& closed() const override { return impulses_.closed(); }
-  std::int64_t fallbacks() const override { return impulses_.fallbacks(); }
-
- private:
-  ContactImpulses impulses_;
-};
 
 /// Moreau-Jean: the gap rate G = h dg/dt follows g+ = g + theta G+ + (1 - theta) G, and for nodes with g + G/2 <= 0
 ///   0 <= lambda perpendicular to G+ >= 0,   G+ = G_free + W lambda,
@@ -149,7 +126,7 @@ std::unique_ptr<ContactLaw> contact_law(const MarchSetup& setup,
                                         const std::shared_ptr<ContactCompliance>& compliance) {
   if (setup.scheme == Scheme::moreau_jean) return std::make_unique<VelocityContact>(compliance, setup.theta);
   if (setup.scheme == Scheme::penalty) return std::make_unique<PenaltyContact>(compliance, setup.penalty_stiffness);
-  return std::make_unique<PositionContact>(compliance, setup.contact);
+  return std::make_unique<ContactImpulses>(compliance, setup.contact);
 }
 
 }  // namespace tiprub::simulate

@@ -6,7 +6,7 @@
 #include "reduce/model/reduced_model.h"
 #include "simulate/march/rotor_at_speed.h"
 #include "simulate/motion/scene_choices.h"
-#include "simulate/scene/obstacle.h"
+#include "simulate/scene/casing.h"
 #include "simulate/scene/scene.h"
 
 namespace tiprub::simulate {

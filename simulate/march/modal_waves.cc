@@ -11,15 +11,6 @@ namespace tiprub::simulate {
 
 namespace {
 
-Eigen::Index padded(Eigen::Index count, std::size_t block) {
-  const auto unit = static_cast<Eigen::Index>(block);
-  return (count + unit - 1) / unit * unit;
-}
-
-std::size_t whole_lanes(std::size_t count) {
-  return static_cast<std::size_t>(padded(static_cast<Eigen::Index>(count), kernels::lane_count));
-}
-
 Eigen::ArrayXd padded(const Eigen::ArrayXd& values, Eigen::Index size, double padding) {
   Eigen::ArrayXd longer = Eigen::ArrayXd::Constant(size, padding);
   longer.head(values.size()) = values;
@@ -55,13 +46,13 @@ kernels::Lines lay_out_by_mode(const Eigen::MatrixXcd& rows, std::size_t width, 
 }
 
 MarchedWave marched(const WaveModes& from, const SchemeOptions& scheme, double step, int sector_count) {
-  const Eigen::Index modes = padded(from.omega.size(), kernels::mode_block);
+  const Eigen::Index modes = kernels::rounded_up(from.omega.size(), kernels::mode_block);
   MarchedWave wave;
   wave.nodal_diameter = from.nodal_diameter;
   wave.kind = from.kind;
   wave.weight = wave_count(from.nodal_diameter, sector_count);
   wave.omega = padded(from.omega, modes, 0);
-  wave.moving = padded(from.moving, kernels::mode_block);
+  wave.moving = kernels::rounded_up(from.moving, kernels::mode_block);
   const StepCoefficients unpadded = step_coefficients(scheme, from.omega, from.damping_ratio, step, from.moving);
   wave.coefficients = {padded(unpadded.r, modes, 1), padded(unpadded.k, modes, 1), padded(unpadded.c, modes, 0)};
   return wave;
@@ -86,12 +77,12 @@ ModalWaves::ModalWaves(const RotorAtSpeed& rotor, const SchemeOptions& scheme, d
     sliding_.width = 2 * normal_.width;
   }
   blades_.count = needs.coordinates;
-  blades_.width = whole_lanes(needs.coordinates);
+  blades_.width = kernels::rounded_up(needs.coordinates, kernels::lane_count);
   for (std::size_t row = 0; row < blades_.count; ++row) blades_.forced.push_back(static_cast<int>(row));
   for (const WaveModes& wave : rotor.waves) {
     waves_.push_back(marched(wave, scheme, time_step, nodes_.sector_count));
     if (needs.friction || needs.coordinates > 0)
-      waves_.back().sliding = padded(wave.sliding_rows.cols(), kernels::mode_block);
+      waves_.back().sliding = kernels::rounded_up(wave.sliding_rows.cols(), kernels::mode_block);
     memory_.push_back(lay_out(wave, waves_.back()));
   }
   for (int j = 0; j < nodes_.sectors; ++j)
@@ -131,22 +122,6 @@ ModalCoordinates ModalWaves::view(std::size_t wave, Eigen::VectorXd Memory::*par
   const double* values = (memory_[wave].*parts).data();
   const Eigen::Index modes = waves_[wave].modes();
   return {{values, modes}, {values + modes, modes}};
-}
-
-ModalCoordinates ModalWaves::coordinates(std::size_t wave) const {
-  return view(wave, &Memory::q);
-}
-
-ModalCoordinates ModalWaves::increments(std::size_t wave) const {
-  return view(wave, &Memory::increment);
-}
-
-ModalCoordinates ModalWaves::jumps(std::size_t wave) const {
-  return view(wave, &Memory::jump);
-}
-
-ModalCoordinates ModalWaves::increments_before(std::size_t wave) const {
-  return view(wave, &Memory::increment_before);
 }
 
 Eigen::VectorXcd ModalWaves::forces(std::size_t wave) const {

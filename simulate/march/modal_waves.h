@@ -63,9 +63,9 @@ class ModalWaves {
   std::size_t size() const { return waves_.size(); }
   const MarchedWave& operator[](std::size_t wave) const { return waves_[wave]; }
   /// The coordinates q at t_q, their increments q - q- since t_{q-1}, and the increments of the step before.
-  ModalCoordinates coordinates(std::size_t wave) const;
-  ModalCoordinates increments(std::size_t wave) const;
-  ModalCoordinates increments_before(std::size_t wave) const;
+  ModalCoordinates coordinates(std::size_t wave) const { return view(wave, &Memory::q); }
+  ModalCoordinates increments(std::size_t wave) const { return view(wave, &Memory::increment); }
+  ModalCoordinates increments_before(std::size_t wave) const { return view(wave, &Memory::increment_before); }
   /// [N] Lambda_n = (w_n g / N) sum_j lambda_j e^{-i n j alpha} of the forces that were added last; n_c.
   Eigen::VectorXcd forces(std::size_t wave) const;
   /// [m/N] W = sum over n of Re(Y c Y^H e^{i n (j - j') alpha}) w_n g / N; padded rows zero.
@@ -102,7 +102,7 @@ class ModalWaves {
   /// with another velocity.
   void add_impulses(const Forces& impulses);
   /// The change of the increments by the last add_impulses().
-  ModalCoordinates jumps(std::size_t wave) const;
+  ModalCoordinates jumps(std::size_t wave) const { return view(wave, &Memory::jump); }
 
  private:
   /// The rows of one nodal diameter that map its modes to displacements of the contact nodes in some directions, or

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reduce/model/reduced_model.h"
-#include "simulate/scene/obstacle.h"
+#include "simulate/scene/casing.h"
 
 namespace tiprub::simulate {
 

@@ -17,10 +17,6 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-std::size_t padded(int count) {
-  return (static_cast<std::size_t>(count) + kernels::lane_count - 1) / kernels::lane_count * kernels::lane_count;
-}
-
 /// Of the blades of a sector; 0 if the gap is linear.
 std::size_t blade_coordinates(const MarchedScene& scene) {
   if (scene.setup.gap != GapOrder::second_order) return 0;
@@ -34,7 +30,7 @@ TimeMarch::TimeMarch(MarchedScene scene)
       sector_count_(rotor().sector_count),
       sectors_(sector_count_ / symmetry()),
       node_count_(scene_.tips.size()),
-      width_(padded(node_count_)),
+      width_(kernels::rounded_up(static_cast<std::size_t>(node_count_), kernels::lane_count)),
       time_step_(two_pi / rotor().speed / steps_per_revolution()),
       waves_(rotor(), {scene_.setup.scheme, scene_.setup.theta}, time_step_,
              {sector_count_, sectors_, symmetry(), node_count_, width_},
@@ -43,7 +39,7 @@ TimeMarch::TimeMarch(MarchedScene scene)
   gap_ = gap_before_ = gap_two_before_ = gap_ahead_ =
       Eigen::VectorXd::Constant(size, std::numeric_limits<double>::infinity());
   blade_forces_ = Eigen::VectorXd::Zero(
-      sectors_ * static_cast<Eigen::Index>(padded(static_cast<int>(blade_coordinates(scene_)))));
+      sectors_ * static_cast<Eigen::Index>(kernels::rounded_up(blade_coordinates(scene_), kernels::lane_count)));
   for (TipMotion& motion : motion_) motion = {Eigen::VectorXd::Zero(size), blade_forces_};
   tabulate_obstacle();
   prepare_contact();
@@ -126,24 +122,21 @@ bool TimeMarch::predict() {
 }
 
 void TimeMarch::correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes, const TurnedForces& more) {
-  move(motion_[0], forces, nodes, 1);
-  of_step_->open(1, forces, nodes, gap_);
-  drag_of(forces, nodes);
-  blade_forces(forces, nodes);
-  add(more, motion_[0], gap_, 1);
+  push(forces, nodes, more, motion_[0], gap_, 1);
   waves_.add_forces({forces, drag_, blade_forces_, nodes});
 }
 
 void TimeMarch::jump(const Eigen::VectorXd& impulses, const std::vector<int>& nodes, const TurnedForces& more) {
-  move(motion_[1], impulses, nodes, -1);
-  of_step_->open(-1, impulses, nodes, gap_before_);
-  drag_of(impulses, nodes);
-  blade_forces(impulses, nodes);
-  add(more, motion_[1], gap_before_, -1);
+  push(impulses, nodes, more, motion_[1], gap_before_, -1);
   waves_.add_impulses({impulses, drag_, blade_forces_, nodes});
 }
 
-void TimeMarch::add(const TurnedForces& more, TipMotion& motion, Eigen::VectorXd& gap, double direction) {
+void TimeMarch::push(const Eigen::VectorXd& forces, const std::vector<int>& nodes, const TurnedForces& more,
+                     TipMotion& motion, Eigen::VectorXd& gap, double direction) {
+  move(motion, forces, nodes, direction);
+  of_step_->open(direction, forces, nodes, gap);
+  drag_of(forces, nodes);
+  blade_forces(forces, nodes);
   if (more.drag.size() + more.blades.size() == 0) return;
   drag_ += more.drag;
   blade_forces_ += more.blades;

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "simulate/march/contact_law.h"
+#include "simulate/march/contact_impulses.h"
 #include "simulate/march/marched_scene.h"
 #include "simulate/march/modal_waves.h"
 #include "simulate/march/second_order_terms.h"
@@ -58,15 +58,12 @@ class TimeMarch {
   /// The free step to t_{q+1}. Returns whether a node penetrates.
   bool predict();
   /// Adds forces [N] along -normal at t_q to the step just predicted. `nodes` are the indices of the nodes with a
-  /// force.
-  void correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes) { correct(forces, nodes, {}); }
+  /// force; `more` are additional forces on the sectors of these nodes.
+  void correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes, const TurnedForces& more = {});
   /// Adds impulses along -normal at t_{q+1}, given as forces [N] that act over a step. They change the increments,
   /// and with them the displacements and gaps at t_q that these imply (InnerImpact); the displacements at t_{q+1}
   /// stay.
-  void jump(const Eigen::VectorXd& impulses, const std::vector<int>& nodes) { jump(impulses, nodes, {}); }
-  /// The same, with additional forces on the sectors of these nodes.
-  void correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes, const TurnedForces& more);
-  void jump(const Eigen::VectorXd& impulses, const std::vector<int>& nodes, const TurnedForces& more);
+  void jump(const Eigen::VectorXd& impulses, const std::vector<int>& nodes, const TurnedForces& more = {});
   /// [m] The opening of the gaps by such additional forces; by node.
   Eigen::VectorXd opened_by(const TurnedForces& more) const;
   /// [m] The displacements of the contact nodes by the modes in the step before the one just predicted, along theta
@@ -167,8 +164,9 @@ class TimeMarch {
   /// Computes the directions of the forces in a step: those of sliding, and the slopes of the gaps.
   void turn();
   void find_slopes(const Eigen::VectorXd& blades, std::int64_t step, Eigen::MatrixXd& slopes) const;
-  /// Adds forces to those of a step. `direction` is the sign of their effect on a motion and on its gaps.
-  void add(const TurnedForces& more, TipMotion& motion, Eigen::VectorXd& gap, double direction);
+  /// Computes the forces of a step, and their effect on a motion and on its gaps, of which `direction` is the sign.
+  void push(const Eigen::VectorXd& forces, const std::vector<int>& nodes, const TurnedForces& more, TipMotion& motion,
+            Eigen::VectorXd& gap, double direction);
   /// Subtracts the effect of forces, times `direction`, from a motion.
   void move(TipMotion& motion, const Eigen::VectorXd& forces, const std::vector<int>& nodes, double direction);
   void require_sliding() const;

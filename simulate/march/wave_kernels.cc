@@ -76,19 +76,6 @@ TIPRUB_INLINE void add_travelling(const double* shapes, const double* q_re, cons
     }
 }
 
-template <class Set, std::size_t count>
-TIPRUB_INLINE void travelling_group(const double* shapes, const double* q_re, const double* q_im, std::size_t modes,
-                                    std::size_t nodes, double* p_re, double* p_im) {
-  Sums<Set> sums;
-  if constexpr (Set::registers == 1) {
-    add_travelling<count, Set>(shapes, q_re, q_im, modes, nodes, sums.all);
-  } else {
-    add_travelling<count, Set>(shapes, q_re, q_im, modes, nodes, sums.low);
-    add_travelling<count, Set>(shapes + 4, q_re + 4, q_im + 4, modes, nodes, sums.high);
-  }
-  sum_lanes(sums, lanes4(p_re), lanes4(p_im));
-}
-
 /// The two halves of a block are summed separately, which halves the chain of additions.
 template <std::size_t count, class Set>
 TIPRUB_INLINE void add_standing(const double* shapes, const double* q, std::size_t modes, std::size_t nodes,
@@ -97,21 +84,6 @@ TIPRUB_INLINE void add_standing(const double* shapes, const double* q, std::size
     for (std::size_t half = 0; half < 2; ++half)
       for (std::size_t k = 0; k < count; ++k)
         sums[4 * half + k] += lanes<Set>(shapes + mode_block * k + eight * half) * lanes<Set>(q + m + eight * half);
-}
-
-template <class Set, std::size_t count>
-TIPRUB_INLINE void standing_group(const double* shapes, const double* q, std::size_t modes, std::size_t nodes,
-                                  double* p) {
-  Sums<Set> sums;
-  if constexpr (Set::registers == 1) {
-    add_standing<count, Set>(shapes, q, modes, nodes, sums.all);
-  } else {
-    add_standing<count, Set>(shapes, q, modes, nodes, sums.low);
-    add_standing<count, Set>(shapes + 4, q + 4, modes, nodes, sums.high);
-  }
-  Lanes4 first, last;
-  sum_lanes(sums, first, last);
-  lanes4(p) = first + last;
 }
 
 struct Advance {
@@ -127,49 +99,65 @@ struct Advance {
   }
 };
 
+/// Calls Kernel::group for one to four nodes, whose number the compiler then knows.
+template <class Kernel, class Set, class... Arguments>
+TIPRUB_INLINE void do_group(std::size_t nodes_left, Arguments... arguments) {
+  switch (nodes_left) {
+    case 1:
+      return Kernel::template group<Set, 1>(arguments...);
+    case 2:
+      return Kernel::template group<Set, 2>(arguments...);
+    case 3:
+      return Kernel::template group<Set, 3>(arguments...);
+    default:
+      return Kernel::template group<Set, 4>(arguments...);
+  }
+}
+
 struct ToNodesTravelling {
+  template <class Set, std::size_t count>
+  TIPRUB_INLINE static void group(const double* shapes, const double* q_re, const double* q_im, std::size_t modes,
+                                  std::size_t nodes, double* p_re, double* p_im) {
+    Sums<Set> sums;
+    if constexpr (Set::registers == 1) {
+      add_travelling<count, Set>(shapes, q_re, q_im, modes, nodes, sums.all);
+    } else {
+      add_travelling<count, Set>(shapes, q_re, q_im, modes, nodes, sums.low);
+      add_travelling<count, Set>(shapes + 4, q_re + 4, q_im + 4, modes, nodes, sums.high);
+    }
+    sum_lanes(sums, lanes4(p_re), lanes4(p_im));
+  }
+
   template <class Set>
   TIPRUB_INLINE static void run(const double* shapes, const double* q_re, const double* q_im, std::size_t modes,
                                 std::size_t nodes, double* p_re, double* p_im) {
-    for (std::size_t offset = 0; offset < nodes; offset += node_group) {
-      const double* from = shapes + 2 * mode_block * offset;
-      switch (nodes - offset) {
-        case 1:
-          travelling_group<Set, 1>(from, q_re, q_im, modes, nodes, p_re + offset, p_im + offset);
-          break;
-        case 2:
-          travelling_group<Set, 2>(from, q_re, q_im, modes, nodes, p_re + offset, p_im + offset);
-          break;
-        case 3:
-          travelling_group<Set, 3>(from, q_re, q_im, modes, nodes, p_re + offset, p_im + offset);
-          break;
-        default:
-          travelling_group<Set, 4>(from, q_re, q_im, modes, nodes, p_re + offset, p_im + offset);
-      }
-    }
+    for (std::size_t offset = 0; offset < nodes; offset += node_group)
+      do_group<ToNodesTravelling, Set>(nodes - offset, shapes + 2 * mode_block * offset, q_re, q_im, modes, nodes,
+                                       p_re + offset, p_im + offset);
   }
 };
 
 struct ToNodesStanding {
+  template <class Set, std::size_t count>
+  TIPRUB_INLINE static void group(const double* shapes, const double* q, std::size_t modes, std::size_t nodes,
+                                  double* p) {
+    Sums<Set> sums;
+    if constexpr (Set::registers == 1) {
+      add_standing<count, Set>(shapes, q, modes, nodes, sums.all);
+    } else {
+      add_standing<count, Set>(shapes, q, modes, nodes, sums.low);
+      add_standing<count, Set>(shapes + 4, q + 4, modes, nodes, sums.high);
+    }
+    Lanes4 first, last;
+    sum_lanes(sums, first, last);
+    lanes4(p) = first + last;
+  }
+
   template <class Set>
   TIPRUB_INLINE static void run(const double* shapes, const double* q, std::size_t modes, std::size_t nodes,
                                 double* p) {
-    for (std::size_t offset = 0; offset < nodes; offset += node_group) {
-      const double* from = shapes + mode_block * offset;
-      switch (nodes - offset) {
-        case 1:
-          standing_group<Set, 1>(from, q, modes, nodes, p + offset);
-          break;
-        case 2:
-          standing_group<Set, 2>(from, q, modes, nodes, p + offset);
-          break;
-        case 3:
-          standing_group<Set, 3>(from, q, modes, nodes, p + offset);
-          break;
-        default:
-          standing_group<Set, 4>(from, q, modes, nodes, p + offset);
-      }
-    }
+    for (std::size_t offset = 0; offset < nodes; offset += node_group)
+      do_group<ToNodesStanding, Set>(nodes - offset, shapes + mode_block * offset, q, modes, nodes, p + offset);
   }
 };
 

@@ -52,6 +52,72 @@ void read_distortion_table(CaseTable& table, Casing& casing) {
   casing.table = PeriodicTable(points, period * radians_per_degree);
 }
 
+void read_shape(CaseTable& table, Casing& casing) {
+  casing.shape = table.choice<CasingShape>("shape", CasingShape::cosine,
+                                           {{"cosine", CasingShape::cosine},
+                                            {"bumps", CasingShape::bumps},
+                                            {"table", CasingShape::table},
+                                            {"profile", CasingShape::profile}});
+  casing.lobes = table.integer("lobes", 2, Range::between(1, 1000), "lobes around the casing");
+  casing.unusual = table.flag("unusual", false);
+  if (casing.shape == CasingShape::table) {
+    read_distortion_table(table, casing);
+  } else if (casing.shape == CasingShape::profile) {
+    const NamedText file = table.file("profile", "a casing's profile");
+    casing.profile_file = file.name;
+    casing.profile = read_casing_profile(file, two_pi / casing.lobes);
+    casing.amplitude = casing.profile.largest();
+  } else {
+    casing.amplitude = table.number("amplitude", std::nullopt, Range::at_least(0), "m inward at the crest");
+  }
+  if (casing.shape != CasingShape::bumps) {
+    table.only_with("bump_width_deg", "shape = \"bumps\"");
+    return;
+  }
+  const double width =
+      table.number("bump_width_deg", 20.0, {0.0, 360.0 / casing.lobes, Range::LowEnd::excluded}, "deg");
+  if (!casing.unusual) require_usual(table, "bump_width_deg", width, Range::at_least(1), "deg");
+  casing.bump_width = radians_per_degree * width;
+}
+
+std::vector<std::array<double, 2>> points_over_chord(CaseTable& table, const char* key, const std::string& unit) {
+  auto points = table.points(key, std::nullopt, Range::at_least(0), "fraction of the chord, " + unit);
+  const bool too_low = points.front()[0] < 0;
+  if (too_low || points.back()[0] > 1)
+    table.reject(key, "must have its fractions of the arc length in 0 .. 1", too_low ? 0 : points.size() - 1);
+  return points;
+}
+
+void read_friction(CaseTable& table, Casing& casing) {
+  const char* const key = "friction_coefficient";
+  const std::string unit = "of the contact force";
+  if (table.is_one_number(key))
+    casing.friction = {{0.0, table.number(key, 0.0, Range::at_least(0), unit + "; 0: none")}};
+  else
+    casing.friction = points_over_chord(table, key, unit);
+  if (casing.unusual) return;
+  for (const auto& [place, coefficient] : casing.friction)
+    require_usual(table, key, coefficient, Range::between(0, 1), unit);
+}
+
+/// The smallest of the numbers is moved into `clearance`.
+void read_blade_clearance(CaseTable& table, Casing& casing) {
+  if (!table.has("blade_clearance")) return;
+  casing.blade_clearance = table.numbers("blade_clearance", std::nullopt, Range::any(), "m more, blade by blade");
+  const auto closest = std::min_element(casing.blade_clearance.begin(), casing.blade_clearance.end());
+  const std::size_t row = closest - casing.blade_clearance.begin();
+  const double least = *closest;
+  for (double& more : casing.blade_clearance) more -= least;
+  for (std::array<double, 2>& point : casing.clearance) point[1] += least;
+  if (std::any_of(casing.clearance.begin(), casing.clearance.end(), [](const auto& point) { return point[1] < 0; }))
+    table.reject("blade_clearance", "takes more from `clearance` than there is", row);
+}
+
+const char* key_of_shape(CasingShape shape) {
+  if (shape == CasingShape::table) return "distortion_table";
+  return shape == CasingShape::profile ? "profile" : "amplitude";
+}
+
 }  // namespace
 
 double Casing::distortion(double angle, double fraction) const {
@@ -120,76 +186,6 @@ Eigen::VectorXd arc_fractions(const ContactLine& contact) {
   const double length = from_start[contact.trailing_edge()];
   return length > 0 ? Eigen::VectorXd(from_start / length) : Eigen::VectorXd::Zero(from_start.size());
 }
-
-namespace {
-
-void read_shape(CaseTable& table, Casing& casing) {
-  casing.shape = table.choice<CasingShape>("shape", CasingShape::cosine,
-                                           {{"cosine", CasingShape::cosine},
-                                            {"bumps", CasingShape::bumps},
-                                            {"table", CasingShape::table},
-                                            {"profile", CasingShape::profile}});
-  casing.lobes = table.integer("lobes", 2, Range::between(1, 1000), "lobes around the casing");
-  casing.unusual = table.flag("unusual", false);
-  if (casing.shape == CasingShape::table) {
-    read_distortion_table(table, casing);
-  } else if (casing.shape == CasingShape::profile) {
-    const NamedText file = table.file("profile", "a casing's profile");
-    casing.profile_file = file.name;
-    casing.profile = read_casing_profile(file, two_pi / casing.lobes);
-    casing.amplitude = casing.profile.largest();
-  } else {
-    casing.amplitude = table.number("amplitude", std::nullopt, Range::at_least(0), "m inward at the crest");
-  }
-  if (casing.shape != CasingShape::bumps) {
-    table.only_with("bump_width_deg", "shape = \"bumps\"");
-    return;
-  }
-  const double width =
-      table.number("bump_width_deg", 20.0, {0.0, 360.0 / casing.lobes, Range::LowEnd::excluded}, "deg");
-  if (!casing.unusual) require_usual(table, "bump_width_deg", width, Range::at_least(1), "deg");
-  casing.bump_width = radians_per_degree * width;
-}
-
-std::vector<std::array<double, 2>> points_over_chord(CaseTable& table, const char* key, const std::string& unit) {
-  auto points = table.points(key, std::nullopt, Range::at_least(0), "fraction of the chord, " + unit);
-  const bool too_low = points.front()[0] < 0;
-  if (too_low || points.back()[0] > 1)
-    table.reject(key, "must have its fractions of the arc length in 0 .. 1", too_low ? 0 : points.size() - 1);
-  return points;
-}
-
-void read_friction(CaseTable& table, Casing& casing) {
-  const char* const key = "friction_coefficient";
-  const std::string unit = "of the contact force";
-  if (table.is_one_number(key))
-    casing.friction = {{0.0, table.number(key, 0.0, Range::at_least(0), unit + "; 0: none")}};
-  else
-    casing.friction = points_over_chord(table, key, unit);
-  if (casing.unusual) return;
-  for (const auto& [place, coefficient] : casing.friction)
-    require_usual(table, key, coefficient, Range::between(0, 1), unit);
-}
-
-/// The smallest of the numbers is moved into `clearance`.
-void read_blade_clearance(CaseTable& table, Casing& casing) {
-  if (!table.has("blade_clearance")) return;
-  casing.blade_clearance = table.numbers("blade_clearance", std::nullopt, Range::any(), "m more, blade by blade");
-  const auto closest = std::min_element(casing.blade_clearance.begin(), casing.blade_clearance.end());
-  const std::size_t row = closest - casing.blade_clearance.begin();
-  const double least = *closest;
-  for (double& more : casing.blade_clearance) more -= least;
-  for (std::array<double, 2>& point : casing.clearance) point[1] += least;
-  if (std::any_of(casing.clearance.begin(), casing.clearance.end(), [](const auto& point) { return point[1] < 0; }))
-    table.reject("blade_clearance", "takes more from `clearance` than there is", row);
-}
-
-const char* key_of_shape(CasingShape shape) {
-  if (shape == CasingShape::table) return "distortion_table";
-  return shape == CasingShape::profile ? "profile" : "amplitude";
-}
-
-}  // namespace
 
 Casing read_casing(CaseTable& table) {
   Casing casing;

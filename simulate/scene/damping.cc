@@ -45,7 +45,7 @@ std::vector<ModeDamping> read_modes(CaseTable& table) {
   return modes;
 }
 
-Damping read_damping_of_the_rest(CaseTable& table) {
+DampingRatios read_damping_of_the_rest(CaseTable& table) {
   std::vector<std::string> given;
   for (const char* key : {"damping_ratio", "damping_ratio_by_family", "damping_table"})
     if (table.has(key)) given.emplace_back(key);
@@ -54,11 +54,11 @@ Damping read_damping_of_the_rest(CaseTable& table) {
                  "and " + given[0] + " exclude each other; drop one (--set simulate." + given[0] + "= drops it)");
   const std::string key = given.empty() ? "damping_ratio" : given.front();
   if (key == "damping_table")
-    return Damping(table.points("damping_table", std::nullopt, damping_range, "Hz, of critical"));
+    return {.by_frequency = table.points("damping_table", std::nullopt, damping_range, "Hz, of critical")};
   if (key == "damping_ratio_by_family")
-    return Damping(
-        table.numbers("damping_ratio_by_family", std::nullopt, damping_range, "of critical, first family on"));
-  return {table.number(key, 0.005, damping_range, "of critical, every resolved mode")};
+    return {.by_family = table.numbers("damping_ratio_by_family", std::nullopt, damping_range,
+                                       "of critical, first family on")};
+  return {.by_family = {table.number(key, 0.005, damping_range, "of critical, every resolved mode")}};
 }
 
 }  // namespace
@@ -72,37 +72,31 @@ double resolved_frequency(const ReducedModel& model) {
   return beyond_verified * lowest;
 }
 
-void Damping::set_beyond(double frequency, double ratio) {
-  resolved_ = frequency;
-  ratios_.beyond = ratio;
-}
-
 double Damping::ratio(int nodal_diameter, int family, double frequency) const {
-  if (frequency > resolved_) return ratios_.beyond;
-  for (const ModeDamping& mode : ratios_.by_mode)
+  if (frequency > resolved_frequency) return ratios.beyond;
+  for (const ModeDamping& mode : ratios.by_mode)
     if (mode.nodal_diameter == nodal_diameter && mode.family == family) return mode.ratio;
-  if (!ratios_.by_frequency.empty()) return linear_between(ratios_.by_frequency, frequency);
-  return ratios_.by_family[std::min(static_cast<std::size_t>(family), ratios_.by_family.size() - 1)];
+  if (!ratios.by_frequency.empty()) return linear_between(ratios.by_frequency, frequency);
+  return ratios.by_family[std::min(static_cast<std::size_t>(family), ratios.by_family.size() - 1)];
 }
 
 double Damping::largest() const {
-  const std::vector<double> given = all_given(ratios_, resolved_);
-  return *std::max_element(given.begin(), given.end());
+  return std::ranges::max(all_given(ratios, resolved_frequency));
 }
 
 double Damping::smallest() const {
-  const std::vector<double> given = all_given(ratios_, resolved_);
-  return *std::min_element(given.begin(), given.end());
+  return std::ranges::min(all_given(ratios, resolved_frequency));
 }
 
 Damping read_damping(CaseTable& table) {
-  Damping damping = read_damping_of_the_rest(table);
-  if (table.has(modes_key)) damping.set_modes(read_modes(table));
+  Damping damping;
+  damping.ratios = read_damping_of_the_rest(table);
+  if (table.has(modes_key)) damping.ratios.by_mode = read_modes(table);
   return damping;
 }
 
 void require_modes_of_wheel(const CaseTable& table, const Damping& damping, const ReducedModel& model) {
-  const std::vector<ModeDamping>& modes = damping.ratios().by_mode;
+  const std::vector<ModeDamping>& modes = damping.ratios.by_mode;
   std::map<int, Eigen::VectorXd> lowest;  // [Hz] at rest or at the highest speed, by nodal diameter
   for (std::size_t row = 0; row < modes.size(); ++row) {
     const int n = modes[row].nodal_diameter, most = model.nodal_diameter_max();
@@ -121,10 +115,10 @@ void require_modes_of_wheel(const CaseTable& table, const Damping& damping, cons
       const NodalDiameterModel& of_n = model.nodal_diameters[static_cast<std::size_t>(n)];
       lowest[n] = of_n.natural_frequencies(0).cwiseMin(of_n.natural_frequencies(model.speed_max));
     }
-    if (const double frequency = lowest[n][modes[row].family]; frequency > damping.resolved_frequency())
+    if (const double frequency = lowest[n][modes[row].family]; frequency > damping.resolved_frequency)
       table.reject(modes_key,
                    text_of("has family ", modes[row].family + 1, " of nodal diameter ", n, ", of at least ",
-                           frequency, " Hz, above the resolved frequency, ", damping.resolved_frequency(),
+                           frequency, " Hz, above the resolved frequency, ", damping.resolved_frequency,
                            " Hz, where damping_ratio_beyond holds; drop the row"),
                    row);
   }

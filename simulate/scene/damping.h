@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <initializer_list>
 #include <limits>
-#include <utility>
 #include <vector>
 
 #include "cases/program/case_file.h"
@@ -34,34 +33,19 @@ double resolved_frequency(const ReducedModel& model);
 /// Modal damping as ratios of critical: by family or by frequency up to the resolved frequency, and one ratio
 /// beyond it. The modes beyond represent the compliance of the tips, but their frequencies are artefacts of the
 /// mesh. With the small damping of a wheel they would ring after each impact, and the motion would not settle.
-class Damping {
- public:
-  using Table = decltype(DampingRatios::by_frequency);
+struct Damping {
+  DampingRatios ratios{.by_family = {0.0}};
+  double resolved_frequency = std::numeric_limits<double>::infinity();  ///< [Hz] modes above it get ratios.beyond
 
   Damping() = default;
-  /// The ratio of the first family, of the second, and so on; the last one holds for all further families.
-  explicit Damping(std::vector<double> by_family) : ratios_{.by_family = std::move(by_family)} {}
-  Damping(std::initializer_list<double> by_family) : ratios_{.by_family = by_family} {}
-  /// Linear between the points, constant outside.
-  explicit Damping(Table by_frequency) : ratios_{.by_frequency = std::move(by_frequency)} {}
+  Damping(std::initializer_list<double> by_family) : ratios{.by_family = by_family} {}
 
-  /// Single modes get ratios of their own.
-  void set_modes(std::vector<ModeDamping> modes) { ratios_.by_mode = std::move(modes); }
-  /// Modes above `frequency` [Hz] get `ratio`.
-  void set_beyond(double frequency, double ratio);
   /// [1] of critical, for mode `family` (from 0) of a nodal diameter at its frequency [Hz].
   double ratio(int nodal_diameter, int family, double frequency) const;
   /// [1] The largest ratio of resolved modes.
   double largest() const;
   /// [1] the smallest of them.
   double smallest() const;
-  const DampingRatios& ratios() const { return ratios_; }
-  /// [Hz]
-  double resolved_frequency() const { return resolved_; }
-
- private:
-  DampingRatios ratios_{.by_family = {0.0}};
-  double resolved_ = std::numeric_limits<double>::infinity();
 };
 
 /// [1] of critical. The range ends below critical damping, where modes no longer oscillate and the coefficients of

@@ -27,27 +27,24 @@ double rounded_up(double value, double unit) {
 }
 
 void explain(SceneScope& scope, int sector_count, int lobes, int grid, const SimulateParameters& parameters) {
-  const std::string wheel = std::to_string(sector_count) + " sectors, " + std::to_string(lobes) + " lobes";
+  const std::string wheel = text_of(sector_count, " sectors, ", lobes, " lobes");
   const std::string diameters = "nodal diameters " + listed(scope.nodal_diameters);
   if (parameters.nodal_diameters == DiameterChoice::all)
     scope.reasons.push_back(diameters + ": all, as asked for");
   else
-    scope.reasons.push_back(diameters + ": multiples of gcd(" + wheel + ") = " + std::to_string(scope.symmetry) +
-                            "; from rest no other one moves");
-  scope.reasons.push_back("independent sectors " + std::to_string(scope.independent_sectors) + " of " +
-                          std::to_string(sector_count) + ": sector j moves as sector j mod " +
-                          std::to_string(scope.independent_sectors));
-  scope.reasons.push_back("samples a revolution " + std::to_string(scope.samples_per_revolution) + ": at least " +
-                          std::to_string(parameters.samples_per_revolution) + ", a multiple of lcm(" + wheel +
-                          ") = " + std::to_string(grid));
+    scope.reasons.push_back(
+        text_of(diameters, ": multiples of gcd(", wheel, ") = ", scope.symmetry, "; from rest no other one moves"));
+  scope.reasons.push_back(text_of("independent sectors ", scope.independent_sectors, " of ", sector_count,
+                                  ": sector j moves as sector j mod ", scope.independent_sectors));
+  scope.reasons.push_back(text_of("samples a revolution ", scope.samples_per_revolution, ": at least ",
+                                  parameters.samples_per_revolution, ", a multiple of lcm(", wheel, ") = ", grid));
   const std::string multiple = ", a multiple of the samples";
   scope.reasons.push_back(
       parameters.steps_per_revolution > 0
-          ? "steps a revolution: at least " + std::to_string(parameters.steps_per_revolution) + " as asked for" +
-                multiple
-          : "steps a revolution: at least " + text_of(parameters.steps_per_period) +
-                " a period of the lowest frequency, halved until that changes the motion by less than " +
-                text_of(parameters.step_tolerance) + multiple + "; by speed");
+          ? text_of("steps a revolution: at least ", parameters.steps_per_revolution, " as asked for", multiple)
+          : text_of("steps a revolution: at least ", parameters.steps_per_period,
+                    " a period of the lowest frequency, halved until that changes the motion by less than ",
+                    parameters.step_tolerance, multiple, "; by speed"));
   if (parameters.steady_state == SteadyStateMethod::orbit)
     scope.reasons.push_back("settled motions: by Newton's method for a fixed point of 1/" + std::to_string(grid) +
                             " of a revolution and a shift of " + std::to_string(sector_shift(sector_count, lobes)) +

@@ -54,7 +54,7 @@ const Range usual_damping = Range::between(0, 0.05);
 
 /// The key that gives the largest ratio.
 const char* damping_key(const CaseTable& table, const Damping& damping) {
-  for (const ModeDamping& mode : damping.ratios().by_mode)
+  for (const ModeDamping& mode : damping.ratios.by_mode)
     if (mode.ratio == damping.largest()) return "damping_by_mode";
   for (const char* key : {"damping_table", "damping_ratio_by_family"})
     if (table.has(key)) return key;
@@ -152,33 +152,25 @@ void require_budgets_to_decide_by(const CaseTable& table, const SimulateParamete
     reject("needs forces that only push; set contact = \"complementarity\"");
 }
 
-/// "= \"critical_speeds\""
-std::string written(BranchChoice choice) {
-  return choice == BranchChoice::speeds ? "= \"speeds\"" : "= \"critical_speeds\"";
+/// Refuses keys that ask for periodic motions; `what` says why, and begins to say what to set.
+void refuse_orbits(const CaseTable& table, const SimulateParameters& parameters, const std::string& what) {
+  if (parameters.steady_state == SteadyStateMethod::orbit)
+    table.reject("steady_state", "= \"orbit\"" + what + "steady_state = \"march\"");
+  const char* const asked = parameters.branches == BranchChoice::speeds ? "speeds" : "critical_speeds";
+  if (parameters.branches != BranchChoice::none)
+    table.reject("branches", text_of("= \"", asked, "\"", what, "branches = \"none\""));
 }
 
-/// Packagers may leave out Trilinos, which finds periodic motions.
-void require_orbits_in_this_build([[maybe_unused]] const CaseTable& table,
-                                  [[maybe_unused]] const SimulateParameters& parameters) {
+/// Packagers may leave out Trilinos, which finds periodic motions. The modes at two instants must determine an orbit,
+/// which rules out contact laws with memory.
+void require_that_orbits_can_be_found(const CaseTable& table, const SimulateParameters& parameters) {
 #ifdef TIPRUB_WITHOUT_ORBITS
-  const std::string what = " needs a build with TIPRUB_ORBITS=ON; set ";
-  if (parameters.steady_state == SteadyStateMethod::orbit)
-    table.reject("steady_state", "= \"orbit\"" + what + "steady_state = \"march\"");
-  if (parameters.branches != BranchChoice::none)
-    table.reject("branches", written(parameters.branches) + what + "branches = \"none\"");
+  refuse_orbits(table, parameters, " needs a build with TIPRUB_ORBITS=ON; set ");
 #endif
-}
-
-/// The modes at two instants must determine an orbit, which rules out contact laws with memory.
-void require_law_without_memory(CaseTable& table, const SimulateParameters& parameters) {
-  if (maps_states(parameters.scheme, parameters.contact)) return;
-  const std::string what =
-      " holds only with contact = \"complementarity\" and neither scheme = \"moreau_jean\" nor "
-      "\"penalty\"; set another scheme, or ";
-  if (parameters.steady_state == SteadyStateMethod::orbit)
-    table.reject("steady_state", "= \"orbit\"" + what + "steady_state = \"march\"");
-  if (parameters.branches != BranchChoice::none)
-    table.reject("branches", written(parameters.branches) + what + "branches = \"none\"");
+  if (!maps_states(parameters.scheme, parameters.contact))
+    refuse_orbits(table, parameters,
+                  " holds only with contact = \"complementarity\" and neither scheme = \"moreau_jean\" nor "
+                  "\"penalty\"; set another scheme, or ");
 }
 
 void read_branches(CaseTable& table, SimulateParameters& parameters) {
@@ -258,8 +250,7 @@ SimulateParameters read_simulate_parameters(CaseTable& table) {
   if (!table.has("samples_per_revolution")) parameters.samples_per_lobe = 20;
   read_revolutions(table, parameters);
   read_branches(table, parameters);
-  require_orbits_in_this_build(table, parameters);
-  require_law_without_memory(table, parameters);
+  require_that_orbits_can_be_found(table, parameters);
   parameters.casing_areas = table.integer("casing_areas", 200, Range::between(1, 100000), "around the casing");
   parameters.threads = table.integer("threads", 0, Range::between(0, 1024), "0: as many as the machine has");
   parameters.sweep = table.choice<SweepDirection>(
@@ -297,7 +288,8 @@ void fit_to_model(SimulateParameters& parameters, const ReducedModel& model) {
   if (parameters.gap == GapOrder::automatic)
     parameters.gap = model.contact.second_order ? GapOrder::second_order : GapOrder::linear;
   if (parameters.resolved_frequency == 0) parameters.resolved_frequency = resolved_frequency(model);
-  parameters.damping.set_beyond(parameters.resolved_frequency, parameters.damping_ratio_beyond);
+  parameters.damping.resolved_frequency = parameters.resolved_frequency;
+  parameters.damping.ratios.beyond = parameters.damping_ratio_beyond;
 }
 
 }  // namespace tiprub::simulate

@@ -142,8 +142,7 @@ VariedScene with_friction(const Scene& scene, double coefficient) {
 
 VariedScene with_damping(const Scene& scene, double ratio) {
   VariedScene varied{Variation::damping, ratio, scene.casing, scene.parameters};
-  varied.parameters.damping = Damping{ratio};
-  varied.parameters.damping.set_beyond(scene.parameters.resolved_frequency, scene.parameters.damping.ratios().beyond);
+  varied.parameters.damping.ratios = {.by_family = {ratio}, .beyond = scene.parameters.damping.ratios.beyond};
   return varied;
 }
 

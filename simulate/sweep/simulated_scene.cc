@@ -85,14 +85,10 @@ constexpr int casing_points = 721;  // of the casing's shape in the response: ev
 
 constexpr int content = 8;  // version of a speed's result: to be raised when its content or meaning changes
 
-bool is_exempt(const std::string& key) {
-  return std::any_of(exempt_keys().begin(), exempt_keys().end(),
-                     [&](const ExemptKey& exempt) { return key == exempt.key; });
-}
-
 void add_settings(Digest& hash, const CaseSettings& settings) {
   for (const auto& [key, value] : settings) {
-    if (is_exempt(key)) continue;
+    if (std::ranges::any_of(exempt_keys(), [&, &key = key](const ExemptKey& exempt) { return key == exempt.key; }))
+      continue;
     hash.add(key);
     hash.add(value);
   }
@@ -147,7 +143,7 @@ SimulatedScene simulated_scene(const Scene& scene, const SceneOrigin& origin) {
   described.lobes = scene.casing.lobes;
   described.scheme = scene.parameters.scheme;
   described.contact = scene.parameters.contact;
-  described.damping = scene.parameters.damping.ratios();
+  described.damping = scene.parameters.damping.ratios;
   described.resolved_frequency = scene.parameters.resolved_frequency;
   described.clearance = scene.casing.given_clearance(scene.model.contact);
   described.clearance_state = scene.casing.clearance_state;

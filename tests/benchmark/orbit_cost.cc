@@ -24,7 +24,7 @@ Run timed(const BenchWheel& wheel, double damping, double speed, SteadyStateMeth
   SimulateParameters parameters = bench_parameters(wheel, patience);
   std::vector<double> by_family(static_cast<std::size_t>(families), damping);
   by_family.push_back(beyond);
-  parameters.damping = Damping(by_family);
+  parameters.damping.ratios = {.by_family = by_family};
   parameters.resolved_frequency = 0;
   parameters.damping_ratio_beyond = beyond;
   fit_to_model(parameters, wheel.model);

@@ -63,7 +63,7 @@ Cost settled_speeds(double damping) {
   constexpr int speeds = 6;
   const BenchWheel wheel = made_wheel(2);
   SimulateParameters parameters = parameters_for(wheel);
-  parameters.damping = Damping(std::vector<double>{damping});
+  parameters.damping = {damping};
   const double start = cpu_seconds();
   for (int i = 0; i < speeds; ++i) run_speed(wheel, parameters, wheel.speed * (0.8 + 0.4 * i / speeds));
   return {damping, (cpu_seconds() - start) / speeds};

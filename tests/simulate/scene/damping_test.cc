@@ -17,7 +17,8 @@ TEST(Damping, IsByFamilyAndTheLastOneHolds) {
 }
 
 TEST(Damping, IsByFrequencyLinearBetweenPoints) {
-  const Damping damping(Damping::Table{{1000, 0.002}, {3000, 0.006}});
+  Damping damping;
+  damping.ratios = {.by_frequency = {{1000, 0.002}, {3000, 0.006}}};
   EXPECT_EQ(damping.ratio(2, 0, 10), 0.002);
   EXPECT_DOUBLE_EQ(damping.ratio(2, 3, 2000), 0.004);
   EXPECT_EQ(damping.ratio(2, 0, 9000), 0.006);
@@ -26,18 +27,19 @@ TEST(Damping, IsByFrequencyLinearBetweenPoints) {
 
 /// Symptom: a point that no mode reaches made the scan seven times as dense.
 TEST(Damping, IsSmallestAndLargestAmongResolvedModes) {
-  Damping damping(Damping::Table{{0, 0.02}, {6000, 0.02}, {10000, 0.0002}, {20000, 0.5}});
+  Damping damping;
+  damping.ratios = {.by_frequency = {{0, 0.02}, {6000, 0.02}, {10000, 0.0002}, {20000, 0.5}}};
   EXPECT_EQ(damping.smallest(), 0.0002);
-  damping.set_beyond(6000, 0.02);
+  damping.resolved_frequency = 6000, damping.ratios.beyond = 0.02;
   EXPECT_EQ(damping.smallest(), 0.02);
   EXPECT_EQ(damping.largest(), 0.02);
-  damping.set_beyond(8000, 0.02);
+  damping.resolved_frequency = 8000, damping.ratios.beyond = 0.02;
   EXPECT_DOUBLE_EQ(damping.smallest(), 0.0101);
 }
 
 TEST(Damping, IsAnotherOneBeyondTheResolvedFrequency) {
   Damping damping{0.002};
-  damping.set_beyond(8000, 0.02);
+  damping.resolved_frequency = 8000, damping.ratios.beyond = 0.02;
   EXPECT_EQ(damping.ratio(2, 0, 8000), 0.002);
   EXPECT_EQ(damping.ratio(2, 40, 8001), 0.02);
 }
@@ -45,8 +47,8 @@ TEST(Damping, IsAnotherOneBeyondTheResolvedFrequency) {
 // A test on a wheel gives the damping of single modes; all others keep that of their family.
 TEST(Damping, IsThatOfASingleModeIfGiven) {
   Damping damping{0.002, 0.004};
-  damping.set_modes({{3, 1, 0.001}, {0, 0, 0.008}});
-  damping.set_beyond(8000, 0.02);
+  damping.ratios.by_mode = {{3, 1, 0.001}, {0, 0, 0.008}};
+  damping.resolved_frequency = 8000, damping.ratios.beyond = 0.02;
   EXPECT_EQ(damping.ratio(3, 1, 1000), 0.001);
   EXPECT_EQ(damping.ratio(3, 0, 1000), 0.002);
   EXPECT_EQ(damping.ratio(2, 1, 1000), 0.004);

@@ -162,15 +162,10 @@ Growth excluded_growth(const TimeMarch& settled, int period, int revolutions) {
   return visible.factor < linear * small.factor ? visible : small;
 }
 
-SymmetryVerdict judge(const Growth& growth) {
+SymmetryVerdict judge(const Growth& growth, int period) {
   const double margin = std::max(growth.uncertainty, smallest_margin);
   if (growth.factor > 1 + margin) return SymmetryVerdict::breaking;
-  return growth.factor < 1 - margin ? SymmetryVerdict::holds : SymmetryVerdict::undecided;
-}
-
-SymmetryVerdict judge(const Growth& growth, int period) {
-  const SymmetryVerdict verdict = judge(growth);
-  return period == 0 && verdict == SymmetryVerdict::holds ? SymmetryVerdict::undecided : verdict;
+  return period > 0 && growth.factor < 1 - margin ? SymmetryVerdict::holds : SymmetryVerdict::undecided;
 }
 
 }  // namespace tiprub::simulate

@@ -44,10 +44,8 @@ Growth largest_growth(const std::function<Eigen::VectorXd(const Eigen::VectorXd&
 Growth excluded_growth(const TimeMarch& settled, int period, int revolutions);
 
 /// `breaking` or `holds` if the factor differs from 1 by more than its uncertainty and by more than a thousandth;
-/// otherwise `undecided`.
-SymmetryVerdict judge(const Growth& growth);
-/// The same along a motion of this period [revolutions]. Without one (0) it is `undecided` in place of `holds`,
-/// because a mean growth over some revolutions proves no decay.
-SymmetryVerdict judge(const Growth& growth, int period);
+/// otherwise `undecided`. Along a motion without `period` [revolutions] it is never `holds`, because a mean growth
+/// over some revolutions proves no decay.
+SymmetryVerdict judge(const Growth& growth, int period = 1);
 
 }  // namespace tiprub::simulate

@@ -51,24 +51,26 @@ Eigen::VectorXd lines_of(const std::deque<Eigen::VectorXd>& revolutions, Eigen::
   return lines;
 }
 
-/// Share of the lines' energy that is more than `width` lines from all multiples of `spacing` lines.
-double share_beside(const Eigen::VectorXd& lines, double spacing, double width) {
-  double beside = 0;
-  for (Eigen::Index m = 1; m < lines.size(); ++m) {
-    const double place = static_cast<double>(m) / spacing;
-    if (std::abs(place - std::round(place)) * spacing > width) beside += lines[m];
-  }
-  const double all = lines.sum();
-  return all > 0 ? beside / all : 0.0;
-}
-
-/// Share of the lines off the beat that is needed for most of the energy off the beat.
-double lines_for_most(const Eigen::VectorXd& lines, double spacing, double width) {
+/// The energies of the lines that are more than `width` lines from all multiples of `spacing` lines.
+std::vector<double> lines_beside(const Eigen::VectorXd& lines, double spacing, double width) {
   std::vector<double> beside;
   for (Eigen::Index m = 1; m < lines.size(); ++m) {
     const double place = static_cast<double>(m) / spacing;
     if (std::abs(place - std::round(place)) * spacing > width) beside.push_back(lines[m]);
   }
+  return beside;
+}
+
+/// Their share of the energy.
+double share_beside(const Eigen::VectorXd& lines, double spacing, double width) {
+  const std::vector<double> beside = lines_beside(lines, spacing, width);
+  const double all = lines.sum();
+  return all > 0 ? std::accumulate(beside.begin(), beside.end(), 0.0) / all : 0.0;
+}
+
+/// Share of the lines off the beat that is needed for most of the energy off the beat.
+double lines_for_most(const Eigen::VectorXd& lines, double spacing, double width) {
+  std::vector<double> beside = lines_beside(lines, spacing, width);
   std::sort(beside.begin(), beside.end(), std::greater<>());
   const double wanted = ClassLimits::most_energy * std::accumulate(beside.begin(), beside.end(), 0.0);
   double sum = 0;

@@ -111,7 +111,7 @@ SettlingState SteadyState::judge() const {
     const double over_period = std::pow(rate, period);
     const double still_to_come = rate < 1 ? change * over_period / (1 - over_period) : HUGE_VAL;
     if (change > rounding_floor && still_to_come > tolerance_) continue;
-    return {SettlingState::Settled::yes, period, change, rate};
+    return {period, change, rate};
   }
   return state;
 }
@@ -152,7 +152,7 @@ MotionReading Settling::reading() const {
   const SettlingState state = this->state();
   std::deque<Eigen::VectorXd> revolutions = last_;
   Change change = state_.decays() ? Change::decays : Change::stands;
-  if (state.settled == SettlingState::Settled::yes) {
+  if (state.settled()) {
     change = Change::settled;
     while (static_cast<int>(revolutions.size()) > state.period_revolutions) revolutions.pop_front();
   }
@@ -162,8 +162,7 @@ MotionReading Settling::reading() const {
 }
 
 bool Settling::settled() const {
-  return orbit_ || (revolutions_ >= min_revolutions_ && casing_has_grown() &&
-                    state_.judge().settled == SettlingState::Settled::yes);
+  return orbit_ || (revolutions_ >= min_revolutions_ && casing_has_grown() && state_.judge().settled());
 }
 
 bool Settling::casing_has_grown() const {
@@ -182,7 +181,7 @@ void Settling::advance() {
 }
 
 void Settling::stand_on_orbit(int period_revolutions, double rate) {
-  orbit_ = {SettlingState::Settled::yes, period_revolutions, 0, rate};
+  orbit_ = {period_revolutions, 0, rate};
   last_.clear();
 }
 

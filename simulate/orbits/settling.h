@@ -15,12 +15,11 @@ namespace tiprub::simulate {
 
 /// Whether a motion has settled, and how fast it still changes.
 struct SettlingState {
-  enum class Settled { yes, no };
-
-  Settled settled = Settled::no;
   int period_revolutions = 0;  ///< period of the settled motion; 0 if it has not settled
   double change = 0;           ///< [1] relative change over the period (over one revolution if not settled)
   double rate = 0;             ///< [1] factor of that change per revolution
+
+  bool settled() const { return period_revolutions > 0; }
 };
 
 /// Judges after each revolution whether a motion has settled, and with which period. The change over L revolutions,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/periodic/gmres.h"
-
 #include <Eigen/QR>
 #include <algorithm>
+
+#include "simulate/periodic/periodic_map.h"
 
 namespace tiprub::simulate {
 

@@ -106,7 +106,7 @@ void TangentMarch::hold(const std::shared_ptr<const ContactPattern>& pattern) {
   closed_.clear();
   factors_.clear();
   turning_factors_.clear();
-  for (const std::vector<int>& set : pattern->sets()) {
+  for (const std::vector<int>& set : pattern->sets) {
     closed_.push_back(on_all_sectors(set));
     if (turns()) continue;
     Eigen::MatrixXd block = compliance_(closed_.back(), closed_.back());
@@ -116,20 +116,20 @@ void TangentMarch::hold(const std::shared_ptr<const ContactPattern>& pattern) {
       throw NoMotion("the contact compliance of " + std::to_string(set.size()) +
                      " closed nodes is not positive definite: no orbit can be followed with them");
   }
-  for (std::size_t step = 0; turns() && step < pattern->steps().size(); ++step) {
-    if (pattern->steps()[step] == ContactPattern::open) continue;
+  for (std::size_t step = 0; turns() && step < pattern->steps.size(); ++step) {
+    if (pattern->steps[step] == ContactPattern::open) continue;
     direct(step, turning_factors_.size());
-    turning_factors_.push_back(factor_of(closed_[static_cast<std::size_t>(pattern->steps()[step])]));
+    turning_factors_.push_back(factor_of(closed_[static_cast<std::size_t>(pattern->steps[step])]));
   }
 }
 
 void TangentMarch::direct(std::size_t step, std::size_t contact) {
   if (march_.has_friction()) {
-    way_ = pattern_->sliding()[contact].way.replicate(copies_, 1);
+    way_ = pattern_->sliding[contact].way.replicate(copies_, 1);
     march_.slide_along(way_);
   }
   if (march_.is_curved())
-    march_.tilt(orbit_.slopes(pattern_->blades()[step].start, pattern_->first_step + static_cast<std::int64_t>(step))
+    march_.tilt(orbit_.slopes(pattern_->blades[step].start, pattern_->first_step + static_cast<std::int64_t>(step))
                     .replicate(copies_, 1));
 }
 
@@ -158,13 +158,13 @@ Eigen::VectorXd TangentMarch::narrowed(const Eigen::VectorXd& y, const Eigen::Ve
 void TangentMarch::narrow_start() {
   const Eigen::VectorXd before = march_.gaps().now, now = march_.gap();
   march_.set_gaps(before - narrowed(pattern_->blades_before, march_.blades_before(), pattern_->first_step - 1),
-                  now - narrowed(pattern_->blades().front().start, march_.blades(), pattern_->first_step));
+                  now - narrowed(pattern_->blades.front().start, march_.blades(), pattern_->first_step));
 }
 
 void TangentMarch::narrow(std::size_t step) {
   const std::int64_t next = pattern_->first_step + static_cast<std::int64_t>(step) + 1;
   const Eigen::VectorXd before = march_.gaps().now, now = march_.gap();
-  march_.set_gaps(before, now - narrowed(pattern_->blades()[step].free, march_.blades(), next));
+  march_.set_gaps(before, now - narrowed(pattern_->blades[step].free, march_.blades(), next));
 }
 
 void TangentMarch::turn_slopes(std::size_t step) {
@@ -205,7 +205,7 @@ std::vector<InnerImpact::Change> TangentMarch::changes(std::size_t step, const s
   const auto [before, now, next] = march_.gaps();
   Eigen::VectorXd ahead = march_.look_ahead();
   if (march_.is_curved())
-    ahead -= narrowed(pattern_->blades()[step].ahead, march_.blades_ahead(),
+    ahead -= narrowed(pattern_->blades[step].ahead, march_.blades_ahead(),
                       pattern_->first_step + static_cast<std::int64_t>(step) + 2);
   for (int copy = 0; copy < copies_; ++copy)
     for (const InnerImpact& impact : impacts) {
@@ -218,10 +218,10 @@ std::vector<InnerImpact::Change> TangentMarch::changes(std::size_t step, const s
 void TangentMarch::close(std::size_t step, std::size_t contact, const std::vector<InnerImpact>& impacts) {
   static const Sliding no_sliding;
   static const BladeStep no_blades;
-  const auto set = static_cast<std::size_t>(pattern_->steps()[step]);
+  const auto set = static_cast<std::size_t>(pattern_->steps[step]);
   const std::vector<int>& closed = closed_[set];
-  const Sliding& sliding = march_.has_friction() ? pattern_->sliding()[contact] : no_sliding;
-  const BladeStep& blades = march_.is_curved() ? pattern_->blades()[step] : no_blades;
+  const Sliding& sliding = march_.has_friction() ? pattern_->sliding[contact] : no_sliding;
+  const BladeStep& blades = march_.is_curved() ? pattern_->blades[step] : no_blades;
   if (march_.has_friction()) slide_ = march_.slide();
   if (march_.is_curved()) turn_slopes(step);
   direct(step, contact);
@@ -273,13 +273,13 @@ Eigen::VectorXd TangentMarch::operator()(const std::shared_ptr<const ContactPatt
   map_.put(change);
   if (march_.is_curved()) narrow_start();
   static const std::vector<InnerImpact> none;
-  auto next = pattern_->impacts().begin();
+  auto next = pattern_->impacts.begin();
   std::size_t contact = 0;
-  for (std::size_t i = 0; i < pattern_->steps().size(); ++i) {
+  for (std::size_t i = 0; i < pattern_->steps.size(); ++i) {
     march_.predict();
     if (march_.is_curved()) narrow(i);
-    if (pattern_->steps()[i] == ContactPattern::open) continue;
-    const bool struck = next != pattern_->impacts().end() && next->first == i;
+    if (pattern_->steps[i] == ContactPattern::open) continue;
+    const bool struck = next != pattern_->impacts.end() && next->first == i;
     close(i, contact++, struck ? (next++)->second : none);
   }
   Eigen::VectorXd changed = map_.image();
@@ -318,8 +318,8 @@ MapImage MarchedMap::image(const Eigen::VectorXd& state) {
     Eigen::VectorXd blades = march_.blades();
     march_.step();
     pattern->add(march_.contact().closed(), march_.impacts());
-    if (march_.is_curved()) pattern->add(blades_of(march_, std::move(blades)));
-    if (march_.has_friction() && !march_.contact().closed().empty()) pattern->add(sliding_of(march_));
+    if (march_.is_curved()) pattern->blades.push_back(blades_of(march_, std::move(blades)));
+    if (march_.has_friction() && !march_.contact().closed().empty()) pattern->sliding.push_back(sliding_of(march_));
   }
   MapImage image{map_.image(), std::move(pattern)};
   march_.set_step(start);

@@ -50,7 +50,8 @@ struct KrylovVectors {
 
 namespace Anasazi {
 
-/// Index lists hold neighbouring columns: Anasazi asks for no others with blocks of one vector.
+/// What the solvers below call. Index lists hold neighbouring columns: Anasazi asks for no others with blocks of one
+/// vector.
 template <>
 class MultiVecTraits<double, tiprub::simulate::KrylovVectors> {
   using MV = tiprub::simulate::KrylovVectors;
@@ -70,20 +71,11 @@ class MultiVecTraits<double, tiprub::simulate::KrylovVectors> {
   static Teuchos::RCP<MV> CloneCopy(const MV& mv, const std::vector<int>& index) {
     return CloneCopy(*CloneView(mv, index));
   }
-  static Teuchos::RCP<MV> CloneCopy(const MV& mv, const Teuchos::Range1D& index) {
-    return CloneCopy(*CloneView(mv, index));
-  }
   static Teuchos::RCP<MV> CloneViewNonConst(MV& mv, const std::vector<int>& index) {
     return Teuchos::rcp(new MV(mv, index.front(), static_cast<Eigen::Index>(index.size())));
   }
-  static Teuchos::RCP<MV> CloneViewNonConst(MV& mv, const Teuchos::Range1D& index) {
-    return Teuchos::rcp(new MV(mv, index.lbound(), index.size()));
-  }
   static Teuchos::RCP<const MV> CloneView(const MV& mv, const std::vector<int>& index) {
     return Teuchos::rcp(new MV(mv, index.front(), static_cast<Eigen::Index>(index.size())));
-  }
-  static Teuchos::RCP<const MV> CloneView(const MV& mv, const Teuchos::Range1D& index) {
-    return Teuchos::rcp(new MV(mv, index.lbound(), index.size()));
   }
   static ptrdiff_t GetGlobalLength(const MV& mv) { return mv.all->rows(); }
   static int GetNumberVecs(const MV& mv) { return static_cast<int>(mv.count); }
@@ -113,10 +105,6 @@ class MultiVecTraits<double, tiprub::simulate::KrylovVectors> {
     mv.all->middleCols(mv.first + index.front(), static_cast<Eigen::Index>(index.size())) =
         A.columns().leftCols(static_cast<Eigen::Index>(index.size())).eval();
   }
-  static void SetBlock(const MV& A, const Teuchos::Range1D& index, MV& mv) {
-    mv.all->middleCols(mv.first + index.lbound(), index.size()) = A.columns().leftCols(index.size()).eval();
-  }
-  static void Assign(const MV& A, MV& mv) { mv.columns() = A.columns().eval(); }
   static void MvScale(MV& mv, double alpha) { mv.columns() *= alpha; }
   static void MvScale(MV& mv, const std::vector<double>& alpha) {
     for (Eigen::Index i = 0; i < mv.count; ++i) mv.columns().col(i) *= alpha[static_cast<std::size_t>(i)];

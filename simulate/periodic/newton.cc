@@ -58,10 +58,9 @@ NewtonResult find_fixed_point(PeriodicMap& map, const Eigen::VectorXd& start, co
   const MapFamily here = [&map](double) { return std::shared_ptr<PeriodicMap>(&map, [](PeriodicMap*) {}); };
   const auto group = Teuchos::rcp(new OrbitGroup(global, here, 0.0, start));
   const auto newton = NOX::Solver::buildSolver(group, test(limits), list);
-  const bool converged = newton->solve() == NOX::StatusTest::Converged;
-  const auto& last = dynamic_cast<const OrbitGroup&>(newton->getSolutionGroup());
   NewtonResult result;
-  result.found = converged ? NewtonResult::Found::yes : NewtonResult::Found::no;
+  result.found = newton->solve() == NOX::StatusTest::Converged;
+  const auto& last = dynamic_cast<const OrbitGroup&>(newton->getSolutionGroup());
   result.state = numbers(last.getX());
   result.pattern = last.pattern();
   const double size = result.state.norm();

@@ -14,9 +14,7 @@ struct NewtonLimits {
 };
 
 struct NewtonResult {
-  enum class Found { yes, no };
-
-  Found found = Found::no;
+  bool found = false;
   Eigen::VectorXd state;
   std::shared_ptr<const ContactPattern> pattern;  ///< of the map at the state
   double residual = 0;                            ///< [1] |F(x) - x|/|x|

@@ -6,8 +6,6 @@
 #include <Teuchos_oblackholestream.hpp>
 #include <utility>
 
-#include "simulate/periodic/gmres.h"
-
 namespace tiprub::simulate {
 
 Eigen::Map<const Eigen::VectorXd> numbers(const NOX::Abstract::Vector& vector) {

@@ -150,7 +150,7 @@ bool OrbitSearch::find(TimeMarch& march) {
   const NewtonResult orbit = find_fixed_point(map, map.symmetric().state(), limits);
   const double maps = map.tangents() + orbit.iterations + 1;
   report_.revolutions += maps / map.symmetric().maps_per_revolution();
-  if (orbit.found == NewtonResult::Found::no) return false;
+  if (!orbit.found) return false;
   if (is_first && repels(map, orbit)) return false;  // stands() looks closer
   map.put(orbit.state);
   orbit_ = orbit;
@@ -172,7 +172,9 @@ bool OrbitSearch::stands(TimeMarch& march) {
   const auto stood = attempt([&] {
     MarchedMap map(march, report_.maps);
     const bool stands = attracts(map, orbit_, common);
-    if (stands) follow_excluded(march, orbit_);
+    const int revolutions = scene_.parameters.symmetry_check_revolutions;
+    if (stands && revolutions > 0 && !march.rotor().others.empty())
+      excluded_ = excluded_growth_held(march, orbit_.pattern, report_.maps, revolutions);
     return stands;
   });
   if (stood.result.value_or(false)) return true;
@@ -196,19 +198,9 @@ bool OrbitSearch::attracts(MarchedMap& map, const NewtonResult& orbit, double to
   return growth.factor + growth.uncertainty < 1;
 }
 
-void OrbitSearch::follow_excluded(const TimeMarch& march, const NewtonResult& orbit) {
-  const int revolutions = scene_.parameters.symmetry_check_revolutions;
-  if (march.rotor().others.empty() || revolutions == 0) return;
-  excluded_ = excluded_growth_held(march, orbit.pattern, report_.maps, revolutions);
-}
-
 double OrbitSearch::drift(TimeMarch& march) const {
   const double moved = (SymmetricMap(march).state() - orbit_.state).norm(), size = orbit_.state.norm();
   return size > 0 ? moved / size : moved;  // an orbit at rest
-}
-
-void OrbitSearch::give_up() {
-  report_.outcome = OrbitReport::Outcome::marched;
 }
 
 }  // namespace tiprub::simulate

@@ -51,7 +51,7 @@ class OrbitSearch {
   /// a finer one. Also computes excluded(). False if the search has ended.
   bool stands(TimeMarch& march);
   /// Ends the search, because the march did not confirm the last orbit or no orbit was found.
-  void give_up();
+  void give_up() { report_.outcome = OrbitReport::Outcome::marched; }
 
   /// Whether an orbit has been found with any step.
   bool has_found() const { return orbit_.state.size() > 0; }
@@ -72,7 +72,6 @@ class OrbitSearch {
   bool find(TimeMarch& march);
   bool repels(MarchedMap& map, const NewtonResult& orbit);
   bool attracts(MarchedMap& map, const NewtonResult& orbit, double tolerance);
-  void follow_excluded(const TimeMarch& march, const NewtonResult& orbit);
 
   const Scene& scene_;
   OrbitUse wanted_;

@@ -17,6 +17,13 @@ namespace tiprub::simulate {
 /// The product A x of an operator A that is not available as a matrix.
 using LinearMap = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
+/// x with |f - (1 - A) x| <= tolerance |f|, or the best after 200 steps, by GMRES (Saad, Schultz 1986).
+/// `precondition` is a fixed linear map near (1 - A)^-1. A step costs one product with A and one with that map.
+///
+/// Belos has such a solver for vectors of Epetra or Tpetra only. Their libraries take 40 ms to load, four times as
+/// long as the rest of the program.
+Eigen::VectorXd gmres(const LinearMap& A, const LinearMap& precondition, const Eigen::VectorXd& f, double tolerance);
+
 /// How the contact nodes slide in a step; arrays by node.
 struct Sliding {
   Eigen::VectorXd way;  ///< [m] path s over the casing in the step before, along theta and the tip line alternately
@@ -36,48 +43,29 @@ struct BladeStep {
 /// The sets of closed nodes in consecutive steps of a march, and the impacts within steps. If the sets are held
 /// fixed, the march is an affine map except for the instants of impacts, the directions of sliding, and the slopes of
 /// a gap of second order.
-class ContactPattern {
- public:
+struct ContactPattern {
   static constexpr int open = -1;
 
+  std::int64_t first_step = 0;         ///< steps from the start of the march to the first one
+  Eigen::VectorXd blades_before;       ///< [m] y one step before the first one; empty if the gap is linear
+  std::vector<int> steps;              ///< for each step the index of its set in `sets`, or `open`
+  std::vector<std::vector<int>> sets;  ///< the distinct sets in the order of their first steps; none is empty
+  std::vector<std::pair<std::size_t, std::vector<InnerImpact>>> impacts;  ///< steps with impacts in them, ascending
+  std::vector<Sliding> sliding;            ///< in the steps with closed nodes, in their order; empty without friction
+  std::vector<BladeStep> blades;           ///< of all steps; empty if the gap is linear
+  std::map<std::vector<int>, int> places;  ///< the index of each set
+
   /// Adds a step. `closed` are the indices of the closed nodes, ascending.
-  void add(const std::vector<int>& closed, const std::vector<InnerImpact>& impacts) {
-    if (!impacts.empty()) impacts_.emplace_back(steps_.size(), impacts);
+  void add(const std::vector<int>& closed, const std::vector<InnerImpact>& inner) {
+    if (!inner.empty()) impacts.emplace_back(steps.size(), inner);
     if (closed.empty()) {
-      steps_.push_back(open);
+      steps.push_back(open);
       return;
     }
-    const auto [place, is_new] = places_.try_emplace(closed, static_cast<int>(sets_.size()));
-    if (is_new) sets_.push_back(closed);
-    steps_.push_back(place->second);
+    const auto [place, is_new] = places.try_emplace(closed, static_cast<int>(sets.size()));
+    if (is_new) sets.push_back(closed);
+    steps.push_back(place->second);
   }
-
-  /// Adds the sliding in the step that was added last, which must have closed nodes.
-  void add(Sliding sliding) { sliding_.push_back(std::move(sliding)); }
-  /// Adds the motion of the blades in the step that was added last.
-  void add(BladeStep blades) { blades_.push_back(std::move(blades)); }
-  /// The number of steps from the start of the march to the first step of this pattern.
-  std::int64_t first_step = 0;
-  Eigen::VectorXd blades_before;  ///< [m] y one step before the first one; empty if the gap is linear
-
-  /// For each step the index of its set in sets(), or `open`.
-  const std::vector<int>& steps() const { return steps_; }
-  /// The distinct sets in the order of their first steps; no set is empty.
-  const std::vector<std::vector<int>>& sets() const { return sets_; }
-  /// The steps with impacts in them, ascending.
-  const std::vector<std::pair<std::size_t, std::vector<InnerImpact>>>& impacts() const { return impacts_; }
-  /// The sliding in the steps with closed nodes, in their order; empty without friction.
-  const std::vector<Sliding>& sliding() const { return sliding_; }
-  /// The motion of the blades in all steps; empty if the gap is linear.
-  const std::vector<BladeStep>& blades() const { return blades_; }
-
- private:
-  std::vector<Sliding> sliding_;
-  std::vector<BladeStep> blades_;
-  std::vector<int> steps_;
-  std::vector<std::vector<int>> sets_;
-  std::map<std::vector<int>, int> places_;
-  std::vector<std::pair<std::size_t, std::vector<InnerImpact>>> impacts_;
 };
 
 /// The image of a state, and the contact pattern of the march between the two.

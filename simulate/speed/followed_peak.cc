@@ -26,7 +26,7 @@ class SampledResponse {
   SampledResponse(const PeakOrigin& origin, const AmplitudeAt& amplitude_at)
       : origin_(origin), amplitude_at_(amplitude_at) {
     for (const int steps : first_steps) look(origin.speed + steps * origin.half_width);
-    while (reach_down() || reach_up()) continue;
+    while (reach_beyond(curve_.begin(), -stride) || reach_beyond(curve_.rbegin(), stride)) continue;
   }
 
   /// Each maximum that may be the highest is sampled at every half-width around it, then the highest of them is
@@ -84,13 +84,10 @@ class SampledResponse {
 
   /// Looks beyond an end of the range that may not be the foot of the peak. Returns whether there was anything to
   /// look at.
-  bool reach_down() {
-    return curve_.size() > 1 && goes_on(curve_.begin()->second, std::next(curve_.begin())->second) &&
-           reach(curve_.begin()->first - stride * origin_.half_width);
-  }
-  bool reach_up() {
-    return curve_.size() > 1 && goes_on(curve_.rbegin()->second, std::next(curve_.rbegin())->second) &&
-           reach(curve_.rbegin()->first + stride * origin_.half_width);
+  template <class End>
+  bool reach_beyond(End end, double half_widths) {
+    return curve_.size() > 1 && goes_on(end->second, std::next(end)->second) &&
+           reach(end->first + half_widths * origin_.half_width);
   }
   bool goes_on(double end, double before) const { return end > before || end > foot * largest(); }
   bool reach(double speed) { return std::abs(speed / origin_.speed - 1) <= farthest && look(speed); }

@@ -74,9 +74,8 @@ void seed_excluded_diameters(const Scene& scene, TimeMarch& march) {
 
 /// One period of a settled motion if it is shorter than asked for; else the revolutions asked for.
 int revolutions_to_record(const SimulateParameters& parameters, const SettlingState& state) {
-  const bool settled = state.settled == SettlingState::Settled::yes;
-  return settled ? std::min(state.period_revolutions, parameters.recorded_revolutions)
-                 : parameters.recorded_revolutions;
+  return state.settled() ? std::min(state.period_revolutions, parameters.recorded_revolutions)
+                         : parameters.recorded_revolutions;
 }
 
 /// Jumps to the orbit, or marches until the motion has settled or no revolutions are left.
@@ -139,7 +138,7 @@ void start_march(const Scene& scene, const RotorState& start, TimeMarch& march) 
 SettledMotion halved(const Scene& scene, const SettledMotion& coarse, const MarchPlan& before) {
   const MarchPlan plan{2 * coarse.march->steps_per_revolution(),
                        std::min(min_revolutions_again, scene.parameters.min_revolutions), before.cycle, before.search,
-                       coarse.has_settled() ? StartMotion::unknown : StartMotion::wanders};
+                       coarse.state.settled() ? StartMotion::unknown : StartMotion::wanders};
   SettledMotion finer = settle(scene, coarse.march->scene().rotor, state_of(*coarse.march, scene.model), plan);
   finer.revolutions += coarse.revolutions;
   return finer;
@@ -200,7 +199,7 @@ RefinedMotion refined(const Scene& scene, const MarchPlan& plan, SettledMotion m
     differences.push_back(refined.halving->value);
     refined.step_reached = estimated_error(differences) / tolerance;
     motion = std::move(finer);
-    if (!motion.has_settled() || *refined.step_reached <= 1 || is_useless(differences)) break;
+    if (!motion.state.settled() || *refined.step_reached <= 1 || is_useless(differences)) break;
     if (is_opening) differences.clear();  // a step as long as its tells little of the finer ones
   }
   refined.motion = std::move(motion);

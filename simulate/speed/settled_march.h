@@ -37,7 +37,6 @@ struct SettledMotion {
   double step_ratio = 0;            ///< [1] h omega_max / 2
   double compliance_condition = 0;  ///< [1] of W
 
-  bool has_settled() const { return state.settled == SettlingState::Settled::yes; }
   /// For difference(); refers to this motion.
   SampledMotion sampled() const {
     return {recorded.displacement, recorded.samples_per_revolution, recorded.recorded_revolutions,

@@ -33,7 +33,7 @@ std::optional<Eigen::VectorXd> orbit_near(const Scene& scene, const SharedRotor&
     const MarchState before(march);
     MarchedMap map(march);
     const NewtonResult orbit = find_fixed_point(map, map.symmetric().state(), {newton_step});
-    if (orbit.found == NewtonResult::Found::yes) return orbit.state;
+    if (orbit.found) return orbit.state;
     before.restore(march);
   }
   return std::nullopt;

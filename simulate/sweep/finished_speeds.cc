@@ -18,6 +18,11 @@ namespace tiprub::simulate {
 namespace {
 
 constexpr std::size_t digits_of_a_speed = 16;
+constexpr double no_amplitude = std::numeric_limits<double>::quiet_NaN();
+
+double amplitude_of(const SpeedResponse& response) {
+  return response.failure.empty() ? response.amplitude : no_amplitude;
+}
 
 /// Whether the name is that of a part or of its scratch file. Other files in the folder are not ours.
 bool is_part(const fs::directory_entry& entry) {
@@ -47,16 +52,6 @@ FinishedSpeeds::FinishedSpeeds(const fs::path& output, SimulatedScene scene, std
   take_over_parts();
   take_over_output(output);
 }
-
-namespace {
-
-constexpr double no_amplitude = std::numeric_limits<double>::quiet_NaN();
-
-double amplitude_of(const SpeedResponse& response) {
-  return response.failure.empty() ? response.amplitude : no_amplitude;
-}
-
-}  // namespace
 
 /// The name holds the bits of the speed, so that it is exact.
 fs::path FinishedSpeeds::part(double speed, Depth depth) const {

@@ -63,7 +63,7 @@ struct Bed {
   static Eigen::VectorXd near(TimeMarch& march) {
     MarchedMap map(march);
     const NewtonResult found = find_fixed_point(map, map.symmetric().state(), {1e-9});
-    EXPECT_EQ(found.found, NewtonResult::Found::yes);
+    EXPECT_TRUE(found.found);
     return found.state;
   }
 };

@@ -25,7 +25,7 @@ int settles_at(const std::function<double(int)>& amount, int revolutions, Settli
   for (int r = 0; r < revolutions; ++r) {
     state.add(revolution(amount(r)));
     found = state.judge();
-    if (found.settled == SettlingState::Settled::yes) return r;
+    if (found.settled()) return r;
   }
   return -1;
 }
@@ -58,7 +58,7 @@ TEST(SteadyState, IsNotTakenInByAChangeThatFellAndGrowsAgain) {
     found = state.judge();
     if (r < 22) continue;  // on its way up
     small += found.change < tolerance ? 1 : 0;
-    EXPECT_EQ(found.settled, SettlingState::Settled::no) << r;
+    EXPECT_FALSE(found.settled()) << r;
   }
   EXPECT_GT(small, 0);
 }
@@ -129,7 +129,7 @@ TEST(SteadyState, TellsASlowModulationFromASlowFall) {
 TEST(SteadyState, TakesAMotionBelowTheQuietNormForNone) {
   SteadyState state(tolerance, 1.0);
   for (int r = 0; r < 12; ++r) state.add(1e-6 * revolution(std::sin(r)));
-  EXPECT_EQ(state.judge().settled, SettlingState::Settled::yes);
+  EXPECT_TRUE(state.judge().settled());
 }
 
 }  // namespace

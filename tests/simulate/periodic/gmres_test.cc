@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/periodic/gmres.h"
-
 #include <gtest/gtest.h>
 #include <Eigen/LU>
+
+#include "simulate/periodic/periodic_map.h"
 
 namespace tiprub::simulate {
 namespace {

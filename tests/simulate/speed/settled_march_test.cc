@@ -32,7 +32,7 @@ struct TurningWheel {
 TEST(SettledMarch, FromRestComesToTheMotionOfAMuchShorterStep) {
   const TurningWheel wheel(2000);
   const RefinedMotion found = wheel.refined();
-  ASSERT_TRUE(found.motion.has_settled());
+  ASSERT_TRUE(found.motion.state.settled());
   EXPECT_GE(found.motion.march->steps_per_revolution(), wheel.planned_steps());
   EXPECT_LE(found.step_reached, 1);
   const SettledMotion exact = settle(wheel.scene(), wheel.rotor(), {}, {16 * wheel.planned_steps(), 10});
@@ -45,7 +45,7 @@ TEST(SettledMarch, FromRestComesToTheMotionOfAMuchShorterStep) {
 TEST(SettledMarch, TakesTheStepAskedForWhereAMotionDoesNotSettle) {
   TurningWheel wheel(2880);
   const RefinedMotion found = wheel.refined();
-  EXPECT_FALSE(found.motion.has_settled());
+  EXPECT_FALSE(found.motion.state.settled());
   EXPECT_GE(found.motion.march->steps_per_revolution(), wheel.planned_steps());
   EXPECT_LT(found.motion.march->steps_per_revolution(), 2 * wheel.planned_steps());
   ASSERT_TRUE(found.halving);

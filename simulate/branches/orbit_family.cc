@@ -93,9 +93,9 @@ class OrbitFamily::MapAtSpeed final : public PeriodicMap {
     map_.put(of_march(state));
     const int samples = scene_.scope.samples_per_revolution;
     Recording recording(march_, {samples, 1, 1, 1.0, 1.0});
-    recording.revolution(march_);
+    recording.revolution();
     march_.set_step(start);
-    return recording.finish(march_).amplitude;
+    return recording.finish().amplitude;
   }
 
  private:

@@ -54,59 +54,57 @@ Eigen::VectorXd march_revolution(TimeMarch& march, int samples_per_revolution) {
   return motion / steps;
 }
 
-Recording::Recording(const TimeMarch& march, const Grid& grid)
-    : rotor_(march.scene().rotor),
-      tips_(march.scene().tips),
+Recording::Recording(TimeMarch& march, const Grid& grid)
+    : march_(march),
       grid_(grid),
-      sectors_(march.sectors()),
-      nodes_(march.node_count()),
-      width_(march.width()),
       audit_(march),
       chatter_(march, EngineOrderBand(grid.samples_per_revolution, grid.orders)) {
   const Eigen::Index samples = static_cast<Eigen::Index>(grid.samples_per_revolution) * grid.revolutions;
-  const Eigen::Index points = static_cast<Eigen::Index>(sectors_) * nodes_;
+  const Eigen::Index points = static_cast<Eigen::Index>(march.sectors()) * march.node_count();
   kept_.samples_per_revolution = grid.samples_per_revolution;
   kept_.recorded_revolutions = grid.revolutions;
   kept_.displacement = Eigen::MatrixXd::Zero(samples, 3 * points);
   kept_.contact_force = Eigen::MatrixXd::Zero(samples, points);
   kept_.contact_count.setZero(points, grid.casing_areas);
-  if (march.has_friction()) drag_ = torque_ = Eigen::MatrixXd::Zero(samples, sectors_);
+  if (march.has_friction()) drag_ = torque_ = Eigen::MatrixXd::Zero(samples, march.sectors());
   grid_.cycle_revolutions = std::min(grid.cycle_revolutions, grid.revolutions);
   const Eigen::Index kept = static_cast<Eigen::Index>(grid.samples_per_revolution) * grid_.cycle_revolutions;
-  for (const WaveModes& wave : rotor_->waves) {
+  for (const WaveModes& wave : march.rotor().waves) {
     states_.emplace_back(wave.omega.size(), grid.samples_per_revolution);
     cycle_.emplace_back(wave.omega.size(), kept);
   }
 }
 
-void Recording::take_states(const TimeMarch& march, int sample) {
+void Recording::take_states(int sample) {
   for (std::size_t i = 0; i < states_.size(); ++i)
-    states_[i].col(sample) = march.coordinates(i).head(states_[i].rows());
+    states_[i].col(sample) = march_.coordinates(i).head(states_[i].rows());
 }
 
 /// The forces of a step from t_q to t_{q+1} act at t_q and are recorded there, with the impulses of its impacts.
-void Recording::observe(const TimeMarch& march, int sample) {
-  audit_.observe(march);
-  const double penetration = -march.gap().minCoeff();
+void Recording::observe(int sample) {
+  audit_.observe(march_);
+  const double penetration = -march_.gap().minCoeff();
   kept_.largest_penetration = std::max(kept_.largest_penetration, penetration);
   if (penetration > grid_.leftover) ++kept_.leftover_steps;
-  const std::vector<int>& closed = march.contact().closed();
+  const std::vector<int>& closed = march_.contact().closed();
   if (closed.empty()) return;
-  const double share = static_cast<double>(grid_.samples_per_revolution) / march.steps_per_revolution();
+  const int width = march_.width(), nodes = march_.node_count();
+  const double share = static_cast<double>(grid_.samples_per_revolution) / march_.steps_per_revolution();
   double smallest = 0;
   for (int index : closed) {
-    const int sector = index / width_, node = index % width_;
-    const double force = march.contact().multipliers()[index];
-    const CasingSteps way{tips_.position(node, 1), sector, march.sector_count(), march.steps_per_revolution()};
-    kept_.contact_force(sample, sector * nodes_ + node) += share * force;
-    if (march.has_friction()) add_drag(march, sample, index, share * force);
-    ++kept_.contact_count(sector * nodes_ + node, casing_area(way, march.step_count() - 1, grid_.casing_areas));
+    const int sector = index / width, node = index % width;
+    const double force = march_.contact().multipliers()[index];
+    const CasingSteps way{march_.scene().tips.position(node, 1), sector, march_.sector_count(),
+                          march_.steps_per_revolution()};
+    kept_.contact_force(sample, sector * nodes + node) += share * force;
+    if (march_.has_friction()) add_drag(sample, index, share * force);
+    ++kept_.contact_count(sector * nodes + node, casing_area(way, march_.step_count() - 1, grid_.casing_areas));
     smallest = std::min(smallest, force);
     (force < 0 ? pulling_ : pushing_) += std::abs(force);
   }
-  for (const InnerImpact& impact : march.impacts()) {
-    kept_.contact_force(sample, impact.node() / width_ * nodes_ + impact.node() % width_) += share * impact.impulse;
-    if (march.has_friction()) add_drag(march, sample, impact.node(), share * impact.impulse);
+  for (const InnerImpact& impact : march_.impacts()) {
+    kept_.contact_force(sample, impact.node() / width * nodes + impact.node() % width) += share * impact.impulse;
+    if (march_.has_friction()) add_drag(sample, impact.node(), share * impact.impulse);
     pushing_ += impact.impulse;
   }
   ++kept_.contact_steps;
@@ -114,17 +112,17 @@ void Recording::observe(const TimeMarch& march, int sample) {
   kept_.smallest_multiplier = std::min(kept_.smallest_multiplier, smallest);
 }
 
-void Recording::add_drag(const TimeMarch& march, int sample, int index, double force) {
-  const Eigen::Vector2d drag = force * march.drag_ratio().segment<2>(2 * index);
-  drag_(sample, index / width_) += drag.norm();
-  torque_(sample, index / width_) += tips_.position(index % width_, 0) * drag[0];
+void Recording::add_drag(int sample, int index, double force) {
+  const Eigen::Vector2d drag = force * march_.drag_ratio().segment<2>(2 * index);
+  drag_(sample, index / march_.width()) += drag.norm();
+  torque_(sample, index / march_.width()) += march_.scene().tips.position(index % march_.width(), 0) * drag[0];
 }
 
-FrictionLoad Recording::friction_load(const TimeMarch& march) const {
+FrictionLoad Recording::friction_load() const {
   FrictionLoad load;
-  if (!march.has_friction()) return load;
-  const Eigen::VectorXd of_wheel = march.symmetry() * torque_.rowwise().sum();
-  const double speed = march.rotor().speed;
+  if (!march_.has_friction()) return load;
+  const Eigen::VectorXd of_wheel = march_.symmetry() * torque_.rowwise().sum();
+  const double speed = march_.rotor().speed;
   load.drag_work = kept_.energy.drag_work;
   load.blade_drag_mean = drag_.mean();
   load.blade_drag_largest = drag_.maxCoeff();
@@ -139,13 +137,13 @@ FrictionLoad Recording::friction_load(const TimeMarch& march) const {
 
 /// u_j = sum over n of Re(Phi_c q e^{i n j alpha}), all samples of a revolution at once.
 void Recording::recover_displacements(int first_sample) {
+  const int dofs = 3 * march_.node_count();
   for (std::size_t i = 0; i < states_.size(); ++i) {
-    const WaveModes& wave = rotor_->waves[i];
+    const WaveModes& wave = march_.rotor().waves[i];
     const Eigen::MatrixXcd amplitudes = (wave.contact_rows * states_[i]).transpose();
-    for (int j = 0; j < sectors_; ++j) {
-      const std::complex<double> phase = sector_phase(wave.nodal_diameter, j, rotor_->sector_count);
-      kept_.displacement.block(first_sample, 3 * nodes_ * j, amplitudes.rows(), 3 * nodes_) +=
-          (amplitudes * phase).real();
+    for (int j = 0; j < march_.sectors(); ++j) {
+      const std::complex<double> phase = sector_phase(wave.nodal_diameter, j, march_.rotor().sector_count);
+      kept_.displacement.block(first_sample, dofs * j, amplitudes.rows(), dofs) += (amplitudes * phase).real();
     }
   }
 }
@@ -165,18 +163,18 @@ void Recording::keep_cycle() {
   for (std::size_t i = 0; i < states_.size(); ++i) cycle_[i].middleCols(place * samples, samples) = states_[i];
 }
 
-Eigen::VectorXd Recording::revolution(TimeMarch& march) {
-  const int steps = march.steps_per_revolution() / grid_.samples_per_revolution;
+Eigen::VectorXd Recording::revolution() {
+  const int steps = march_.steps_per_revolution() / grid_.samples_per_revolution;
   const int first_sample = done_ * grid_.samples_per_revolution;
-  const Eigen::Index size = march.displacement().size();
+  const Eigen::Index size = march_.displacement().size();
   Eigen::VectorXd motion = Eigen::VectorXd::Zero(grid_.samples_per_revolution * size);
   for (int sample = 0; sample < grid_.samples_per_revolution; ++sample) {
-    take_states(march, sample);
+    take_states(sample);
     for (int i = 0; i < steps; ++i) {
-      motion.segment(sample * size, size) += march.displacement();
-      chatter_.observe(march.displacement());
-      march.step();
-      observe(march, first_sample + sample);
+      motion.segment(sample * size, size) += march_.displacement();
+      chatter_.observe(march_.displacement());
+      march_.step();
+      observe(first_sample + sample);
     }
     compare_force(sample, first_sample + sample);
   }
@@ -191,28 +189,28 @@ Eigen::VectorXd Recording::revolution(TimeMarch& march) {
 double Recording::normal_amplitude() const {
   double largest = 0;
   for (Eigen::Index point = 0; point < kept_.contact_force.cols(); ++point) {
-    const Eigen::VectorXd motion =
-        kept_.displacement.middleCols<3>(3 * point) * tips_.normal.row(point % nodes_).transpose();
+    const Eigen::VectorXd motion = kept_.displacement.middleCols<3>(3 * point) *
+                                   march_.scene().tips.normal.row(point % march_.node_count()).transpose();
     largest = std::max(largest, 0.5 * (motion.maxCoeff() - motion.minCoeff()));
   }
   return largest;
 }
 
-RecordedMotion Recording::finish(const TimeMarch& march) {
+RecordedMotion Recording::finish() {
   RotorSnapshot& snapshot = kept_.snapshot.emplace();
   snapshot.sample = hardest_sample_;
-  snapshot.force = march.symmetry() * kept_.contact_force.row(hardest_sample_).cwiseAbs().sum();
+  snapshot.force = march_.symmetry() * kept_.contact_force.row(hardest_sample_).cwiseAbs().sum();
   for (std::size_t i = 0; i < hardest_.size(); ++i)
-    snapshot.displacement.emplace_back(rotor_->waves[i].shapes * hardest_[i]);
+    snapshot.displacement.emplace_back(march_.rotor().waves[i].shapes * hardest_[i]);
   if (grid_.cycle_revolutions > 0) {
     RotorCycle& cycle = kept_.cycle.emplace();
     cycle.first_sample = (grid_.revolutions - grid_.cycle_revolutions) * grid_.samples_per_revolution;
     for (std::size_t i = 0; i < cycle_.size(); ++i)
-      cycle.displacement.emplace_back(rotor_->waves[i].shapes * cycle_[i]);
+      cycle.displacement.emplace_back(march_.rotor().waves[i].shapes * cycle_[i]);
   }
   kept_.amplitude = normal_amplitude();
-  kept_.energy = audit_.ledger(march);
-  kept_.friction = friction_load(march);
+  kept_.energy = audit_.ledger(march_);
+  kept_.friction = friction_load();
   const ChatterAudit::Share chatter = chatter_.share();
   kept_.chatter = chatter.share;
   kept_.chatter_node = chatter.node;

@@ -35,7 +35,7 @@ class ChatterAudit {
   Eigen::ArrayXd band_squares_;   ///< [m^2] sum over samples
 };
 
-/// Marches some revolutions and records them.
+/// Marches some revolutions and records them. Refers to the march.
 class Recording {
  public:
   struct Grid {
@@ -46,19 +46,19 @@ class Recording {
     double orders;              ///< highest engine order of the band of resolved frequencies
     int cycle_revolutions = 0;  ///< number of last revolutions in which all samples of the whole rotor are kept
   };
-  Recording(const TimeMarch& march, const Grid& grid);
+  Recording(TimeMarch& march, const Grid& grid);
 
   /// Marches one revolution. Returns its normal displacements as march_revolution() does.
-  Eigen::VectorXd revolution(TimeMarch& march);
+  Eigen::VectorXd revolution();
   /// Completes the recording and moves it out; to be called once.
-  RecordedMotion finish(const TimeMarch& march);
+  RecordedMotion finish();
 
  private:
-  void take_states(const TimeMarch& march, int sample);
-  void observe(const TimeMarch& march, int sample);
+  void take_states(int sample);
+  void observe(int sample);
   /// Adds the drag due to a contact force [N] to the sample.
-  void add_drag(const TimeMarch& march, int sample, int index, double force);
-  FrictionLoad friction_load(const TimeMarch& march) const;
+  void add_drag(int sample, int index, double force);
+  FrictionLoad friction_load() const;
   void recover_displacements(int first_sample);
   double normal_amplitude() const;
   /// Keeps the state of a sample if its contact force is the largest so far.
@@ -66,10 +66,8 @@ class Recording {
   /// Adds the states of the present revolution to the cycle if it is one of the last.
   void keep_cycle();
 
-  SharedRotor rotor_;
-  ContactLine tips_;
+  TimeMarch& march_;
   Grid grid_;
-  int sectors_, nodes_, width_;
   int done_ = 0;
   EnergyAudit audit_;
   ChatterAudit chatter_;

@@ -111,12 +111,12 @@ SettledMotion march_and_record(const Scene& scene, const MarchPlan& plan, std::u
     if (plan.cycle == CycleChoice::kept)
       grid.cycle_revolutions = settling.settled() ? grid.revolutions : longest_cycle;
     Recording recording(*march, grid);
-    for (int i = 0; i < grid.revolutions; ++i) settling.add(recording.revolution(*march));
+    for (int i = 0; i < grid.revolutions; ++i) settling.add(recording.revolution());
     if (!is_confirmed(scene, plan.search, *march, settling)) continue;
     const bool same = settling.settled() && revolutions_to_record(parameters, settling.state()) <= grid.revolutions;
     if (!same && settling.revolutions() <= last_start && !settling.wanders()) continue;
     SettledMotion settled;
-    settled.recorded = recording.finish(*march);
+    settled.recorded = recording.finish();
     settled.reading = settling.reading();
     settled.state = settling.state();
     settled.revolutions = settling.revolutions();

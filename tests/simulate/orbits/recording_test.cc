@@ -27,8 +27,8 @@ RecordedBench recorded_motion(const ReducedModel& model, int symmetry, int revol
                      {}};
   for (int i = 0; i < warm_up; ++i) march_revolution(made.bench.march, samples);
   Recording recording(made.bench.march, {samples, revolutions, 20, 1e-12, 60, cycle_revolutions});
-  for (int i = 0; i < revolutions; ++i) recording.revolution(made.bench.march);
-  made.recorded = recording.finish(made.bench.march);
+  for (int i = 0; i < revolutions; ++i) recording.revolution();
+  made.recorded = recording.finish();
   return made;
 }
 
@@ -103,8 +103,8 @@ TEST(Recording, CountsTheStepsThatAnAreaHas) {
                                                {Scheme::trigonometric, ContactRule::complementarity, steps, 2});
     for (int i = 0; i < warm_up; ++i) march_revolution(bench.march, samples);
     Recording recording(bench.march, {samples, revolutions, areas, 1e-12, 0});
-    for (int i = 0; i < revolutions; ++i) recording.revolution(bench.march);
-    const RecordedMotion recorded = recording.finish(bench.march);
+    for (int i = 0; i < revolutions; ++i) recording.revolution();
+    const RecordedMotion recorded = recording.finish();
     for (int sector = 0; sector < bench.march.sectors(); ++sector)
       for (int node = 0; node < model.contact.size(); ++node) {
         const CasingSteps way{model.contact.position(node, 1), sector, model.sector_count, steps};

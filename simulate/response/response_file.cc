@@ -17,7 +17,6 @@
 #include "simulate/motion/column.h"
 #include "simulate/response/named_axes.h"
 #include "simulate/response/response_groups.h"
-#include "simulate/response/sealed_file.h"
 #include "simulate/response/speed_numbers.h"
 
 namespace tiprub {

@@ -40,6 +40,18 @@ class ResponseWriter {
   std::unique_ptr<State> state_;
 };
 
+/// The state of the seal at the end of a file.
+enum class Seal {
+  none,    ///< there is no seal
+  broken,  ///< the bytes have changed since the file was sealed
+  whole,   ///< the bytes are those that were sealed
+};
+
+/// Appends the digest of all bytes to a finished file; HDF5 ignores bytes after its own end. Raises RunError.
+void seal(const std::filesystem::path& path);
+
+Seal seal_of(const std::filesystem::path& path);
+
 /// Also reads version 4. Raises RunError if the file is missing, damaged or of another schema, if its arrays do not
 /// fit together, or if a number is out of bounds.
 Response read_response(const std::filesystem::path& path);

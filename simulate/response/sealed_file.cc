@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/response/sealed_file.h"
-
 #include <algorithm>
 #include <fstream>
 #include <string>
@@ -8,6 +6,7 @@
 
 #include "cases/program/digest.h"
 #include "cases/program/errors.h"
+#include "simulate/response/response_file.h"
 
 namespace tiprub {
 

@@ -9,7 +9,6 @@
 
 #include "cases/program/errors.h"
 #include "cases/program/output_file.h"
-#include "simulate/response/sealed_file.h"
 
 namespace fs = std::filesystem;
 

@@ -81,29 +81,19 @@ bool has_small_residual(const NOX::Solver::Generic& solver) {
   return now.isF() && now.getNormF() <= residual * state_of(solver).norm();
 }
 
-/// Whether the iteration has ended at an orbit that is far from the predicted one, for the step that was made: other
-/// branches pass nearby, and Newton's method may end on one of them. A kink of the branch is passed with short steps.
-class LeavesBranch {
- public:
-  explicit LeavesBranch(const std::vector<Point>& points) : points_(points) {}
-
-  bool operator()(const NOX::Solver::Generic& solver) {
-    const auto state = state_of(solver);
-    if (solver.getNumIterations() == 0) predicted_ = state;
-    if (points_.empty() || !has_small_residual(solver)) return false;
-    const Eigen::VectorXd& before = points_.back().state;
-    return (state - predicted_).norm() > std::max(correction * (state - before).norm(), kink * before.norm());
-  }
-
- private:
-  const std::vector<Point>& points_;
-  Eigen::VectorXd predicted_;
-};
-
-/// Refers to the points.
+/// Ends an iteration at a small residual: with a failure if the orbit is far from the predicted one, for the step
+/// that was made, because other branches pass nearby, and Newton's method may end on one of them. A kink of the
+/// branch is passed with short steps. Refers to the points.
 Teuchos::RCP<NOX::StatusTest::Generic> test_after(const std::vector<Point>& points) {
+  const auto leaves_branch = [&points, predicted = Eigen::VectorXd()](const NOX::Solver::Generic& solver) mutable {
+    const auto state = state_of(solver);
+    if (solver.getNumIterations() == 0) predicted = state;
+    if (points.empty() || !has_small_residual(solver)) return false;
+    const Eigen::VectorXd& before = points.back().state;
+    return (state - predicted).norm() > std::max(correction * (state - before).norm(), kink * before.norm());
+  };
   auto any = Teuchos::rcp(new NOX::StatusTest::Combo(NOX::StatusTest::Combo::OR));
-  any->addStatusTest(Teuchos::rcp(new StopsWhen(LeavesBranch(points), NOX::StatusTest::Failed)));
+  any->addStatusTest(Teuchos::rcp(new StopsWhen(leaves_branch, NOX::StatusTest::Failed)));
   any->addStatusTest(Teuchos::rcp(new StopsWhen(has_small_residual)));
   any->addStatusTest(Teuchos::rcp(new NOX::StatusTest::MaxIters(newton_iterations)));
   return any;

@@ -58,16 +58,12 @@ double PeriodicTable::operator()(double x) const {
   return cubic_(wrapped >= start_ + period_ ? start_ : wrapped);  // rounding just below a whole period
 }
 
-CasingProfile::CasingProfile(std::vector<double> stations, const std::vector<double>& angles,
-                             const std::vector<std::vector<double>>& inward, double period)
+CasingProfile::CasingProfile(std::vector<double> stations,
+                             const std::vector<std::vector<std::array<double, 2>>>& columns, double period)
     : stations_(std::move(stations)) {
-  for (std::size_t column = 0; column < stations_.size(); ++column) {
-    std::vector<std::array<double, 2>> points;
-    for (std::size_t row = 0; row < angles.size(); ++row) {
-      points.push_back({angles[row], inward[row][column]});
-      largest_ = std::max(largest_, std::abs(inward[row][column]));
-    }
+  for (const std::vector<std::array<double, 2>>& points : columns) {
     curves_.emplace_back(points, period);
+    for (const auto& [angle, inward] : points) largest_ = std::max(largest_, std::abs(inward));
   }
 }
 
@@ -86,23 +82,20 @@ CasingProfile read_casing_profile(const NamedText& file, double period) {
   if (lines.size() < 2)
     refuse_line(file, 1, "must hold a line of fractions of the arc length, and one for each angle");
   const std::vector<double> stations = read_stations(file, lines.front());
-  std::vector<double> angles;
-  std::vector<std::vector<double>> inward;
+  std::vector<std::vector<std::array<double, 2>>> columns(stations.size());
   for (std::size_t row = 1; row < lines.size(); ++row) {
     require_words(file, lines[row], 1 + stations.size(), "an angle [deg], and for each fraction how far inward [m]");
     const double angle = radians_per_degree * number_in(file, lines[row], 0, "an angle [deg]");
     if (angle < 0 || angle >= period ||
-        (!angles.empty() && angle <= angles.back() + PeriodicTable::closest * period)) {
+        (row > 1 && angle <= columns.front().back()[0] + PeriodicTable::closest * period)) {
       refuse_line(file, lines[row].number,
                   text_of("angles must increase in 0 .. ", period / radians_per_degree, " deg, that end excluded; ",
                           lines[row].words[0], " doesn't"));
     }
-    angles.push_back(angle);
-    inward.emplace_back();
     for (std::size_t word = 1; word <= stations.size(); ++word)
-      inward.back().push_back(number_in(file, lines[row], word, "how far inward [m]"));
+      columns[word - 1].push_back({angle, number_in(file, lines[row], word, "how far inward [m]")});
   }
-  return {stations, angles, inward, period};
+  return {stations, columns, period};
 }
 
 }  // namespace tiprub::simulate

@@ -33,10 +33,10 @@ class PeriodicTable {
 class CasingProfile {
  public:
   CasingProfile() = default;
-  /// `stations` are fractions of the arc length, ascending in 0 .. 1; `angles` [rad] ascend inside one period;
-  /// `inward` [m] has a row for each angle with a number for each station.
-  CasingProfile(std::vector<double> stations, const std::vector<double>& angles,
-                const std::vector<std::vector<double>>& inward, double period);
+  /// `stations` are fractions of the arc length, ascending in 0 .. 1; `columns` hold the points [rad, m inward] of
+  /// each station, whose angles ascend inside one period.
+  CasingProfile(std::vector<double> stations, const std::vector<std::vector<std::array<double, 2>>>& columns,
+                double period);
 
   /// [m] inward, at an angle [rad] and a fraction of the arc length.
   double operator()(double angle, double fraction) const;

@@ -39,8 +39,9 @@ ReducedModel at_one_speed(ReducedModel model, double speed) {
 /// Each lobe's crest moves along the casing from the leading to the trailing edge.
 CasingProfile travelling_crest(int lobes, double height) {
   return {{0.0, 0.4, 1.0},
-          {0.0, 0.8, 1.6, 2.4},
-          {{height, 0, 0}, {0, height, 0}, {0, 0, height}, {0, -height, height / 2}},
+          {{{0.0, height}, {0.8, 0}, {1.6, 0}, {2.4, 0}},
+           {{0.0, 0}, {0.8, height}, {1.6, 0}, {2.4, -height}},
+           {{0.0, 0}, {0.8, 0}, {1.6, height}, {2.4, height / 2}}},
           2 * std::numbers::pi / lobes};
 }
 

@@ -115,8 +115,7 @@ bool OrbitSearch::jump(TimeMarch& march) {
 /// Whether a motion may repeat after this number of maps: its whole revolutions fit into a recording, and what leaves
 /// the repelling orbit of one map, if there is one, comes back to its phase.
 bool OrbitSearch::may_repeat_after(int maps) const {
-  const int a_revolution = symmetric_maps_per_revolution(scene_.model.sector_count, scene_.casing.lobes);
-  if (maps / std::gcd(maps, a_revolution) > scene_.parameters.recorded_revolutions) return false;
+  if (revolutions_of(maps) > scene_.parameters.recorded_revolutions) return false;
   const double turns = maps * report_.multiplier_angle / (2 * std::numbers::pi);
   return repelling_.size() == 0 || std::abs(turns - std::round(turns)) <= resonant;
 }
@@ -137,9 +136,8 @@ int OrbitSearch::recurrence(const TimeMarch& from) const {
   return 1;
 }
 
-int OrbitSearch::period_revolutions() const {
-  return report_.maps /
-         std::gcd(report_.maps, symmetric_maps_per_revolution(scene_.model.sector_count, scene_.casing.lobes));
+int OrbitSearch::revolutions_of(int maps) const {
+  return maps / std::gcd(maps, symmetric_maps_per_revolution(scene_.model.sector_count, scene_.casing.lobes));
 }
 
 bool OrbitSearch::find(TimeMarch& march) {

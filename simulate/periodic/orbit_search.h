@@ -57,7 +57,7 @@ class OrbitSearch {
   bool has_found() const { return orbit_.state.size() > 0; }
   const OrbitReport& report() const { return report_; }
   /// The period of the orbit.
-  int period_revolutions() const;
+  int period_revolutions() const { return revolutions_of(report_.maps); }
   /// The growth of the nodal diameters that symmetry leaves out along the orbit; empty if none is left out or there
   /// is no stable orbit.
   const std::optional<Growth>& excluded() const { return excluded_; }
@@ -66,6 +66,8 @@ class OrbitSearch {
   /// The march keeps its state if there is no orbit.
   bool jump(TimeMarch& march);
   bool has_given_up() const { return report_.outcome == OrbitReport::Outcome::marched; }
+  /// The whole revolutions after which a number of maps comes back to the start.
+  int revolutions_of(int maps) const;
   bool may_repeat_after(int maps) const;
   int recurrence(const TimeMarch& from) const;
   bool look_along(TimeMarch& coarse, const std::function<void()>& revolution);

@@ -14,17 +14,9 @@ namespace {
 /// [1] The value at an edge of a polynomial along the tip, as a sum over its means in the outermost segments.
 /// Segments are means with hat functions (see reduce/sector/contact_unknowns.h), the outermost one with half of a
 /// hat.
-std::vector<double> weights_at_edge(int segments) {
-  switch (segments) {
-    case 1:
-      return {1};
-    case 2:
-      return {2, -1};
-    case 3:
-      return {1.5, -0.5};
-    default:
-      return {33.0 / 18, -19.0 / 18, 4.0 / 18};
-  }
+const std::vector<double>& weights_at_edge(int segments) {
+  static const std::vector<double> weights[] = {{1}, {2, -1}, {1.5, -0.5}, {33.0 / 18, -19.0 / 18, 4.0 / 18}};
+  return weights[std::min(segments, 4) - 1];
 }
 
 /// [m] Of one place; samples x 3.

@@ -44,9 +44,7 @@ void read_distortion_table(CaseTable& table, Casing& casing) {
                  near - points.begin() + 1);
   if (points.size() > 1) require_degrees(table, casing, points);
   for (auto& [angle, inward] : points) angle *= radians_per_degree;
-  const auto crest = std::max_element(points.begin(), points.end(), [](const auto& one, const auto& other) {
-    return std::abs(one[1]) < std::abs(other[1]);
-  });
+  const auto crest = std::ranges::max_element(points, {}, [](const auto& point) { return std::abs(point[1]); });
   casing.amplitude = std::abs((*crest)[1]);
   casing.crest_row = crest - points.begin();
   casing.table = PeriodicTable(points, period * radians_per_degree);
@@ -153,8 +151,7 @@ bool Casing::has_friction() const {
 }
 
 std::string Casing::friction_text() const {
-  const auto [least, most] = std::minmax_element(
-      friction.begin(), friction.end(), [](const auto& one, const auto& other) { return one[1] < other[1]; });
+  const auto [least, most] = std::ranges::minmax_element(friction, {}, [](const auto& point) { return point[1]; });
   if ((*most)[1] > (*least)[1]) return text_of((*least)[1], " .. ", (*most)[1], " over the chord");
   return text_of((*least)[1]);
 }

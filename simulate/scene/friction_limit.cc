@@ -45,8 +45,7 @@ FrictionLimit nearest(const ReducedModel& model, const Eigen::VectorXd& coeffici
   std::vector<FrictionLimit> limits = limits_of_nodes(model, 0), fastest = limits_of_nodes(model, model.speed_max);
   limits.insert(limits.end(), fastest.begin(), fastest.end());
   const auto reserve = [&](const FrictionLimit& limit) { return limit.coefficient / coefficients[limit.node]; };
-  const auto found = std::min_element(
-      limits.begin(), limits.end(), [&](const auto& one, const auto& next) { return reserve(one) < reserve(next); });
+  const auto found = std::ranges::min_element(limits, {}, reserve);
   return found == limits.end() ? FrictionLimit{} : *found;
 }
 

@@ -178,8 +178,7 @@ std::vector<VariedScene> varied_scenes(const Scene& scene) {
   const SimulateParameters& keys = scene.parameters;
   std::vector<VariedScene> scenes;
   const auto differs = [&](const auto& point) { return point[1] != keys.budget_friction; };
-  const auto& own_friction = scene.casing.friction;
-  if (std::any_of(own_friction.begin(), own_friction.end(), differs))
+  if (std::ranges::any_of(scene.casing.friction, differs))
     scenes.push_back(with_friction(scene, keys.budget_friction));
   if (scene.model.contact.second_order) scenes.push_back(with_other_gap(scene));
   for (const double ratio : keys.budget_damping) scenes.push_back(with_damping(scene, ratio));
@@ -219,9 +218,7 @@ double top_of(const Beside& at) {
   const PeakTop top{sample(0), sample(1), sample(2)};
   const bool encloses = top.top.amplitude > std::max(top.left.amplitude, top.right.amplitude);
   if (encloses && !jumps(top)) return top.vertex();
-  return std::max_element(at.begin(), at.end(),
-                          [](const PeakVariation& a, const PeakVariation& b) { return a.amplitude < b.amplitude; })
-      ->speed;
+  return std::ranges::max_element(at, {}, &PeakVariation::amplitude)->speed;
 }
 
 /// The peak with half the step. The step moves a peak by far less than the speeds that find it are apart; the three

@@ -92,11 +92,7 @@ class SampledResponse {
   bool goes_on(double end, double before) const { return end > before || end > foot * largest(); }
   bool reach(double speed) { return std::abs(speed / origin_.speed - 1) <= farthest && look(speed); }
 
-  double largest() const {
-    return std::max_element(curve_.begin(), curve_.end(),
-                            [](const auto& a, const auto& b) { return a.second < b.second; })
-        ->second;
-  }
+  double largest() const { return std::ranges::max_element(curve_, {}, &Curve::value_type::second)->second; }
 
   /// The speeds of the maxima that have more than half of the amplitude of the highest, which is not at an end.
   std::vector<double> maxima() const {
@@ -118,8 +114,7 @@ class SampledResponse {
     return highest_of(tops);
   }
   double highest_of(const std::vector<double>& speeds) const {
-    return *std::max_element(speeds.begin(), speeds.end(),
-                             [this](double a, double b) { return curve_.at(a) < curve_.at(b); });
+    return *std::ranges::max_element(speeds, {}, [this](double speed) { return curve_.at(speed); });
   }
 
   const PeakOrigin& origin_;

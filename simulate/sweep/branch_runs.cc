@@ -94,9 +94,8 @@ std::vector<OrbitBranch> follow_branches(const Scene& scene, const std::vector<d
   Progress progress("branches", starts.size(), shown);
   for (const double speed : starts) {
     const double amplitude = finished.read(speed, Depth::full).amplitude;
-    const bool is_known = std::any_of(branches.begin(), branches.end(),
-                                      [&](const OrbitBranch& branch) { return passes(branch, speed, amplitude); });
-    if (!is_known)
+    const auto is_on = [&](const OrbitBranch& branch) { return passes(branch, speed, amplitude); };
+    if (std::ranges::none_of(branches, is_on))
       if (std::optional<OrbitBranch> branch = branch_from(scene, speed)) branches.push_back(std::move(*branch));
     progress.advance();
   }

@@ -275,7 +275,9 @@ std::string record(const Study& study, const FieldResults& fields, const std::st
          folded("What the linear rules list", html_table(linear_criterion_record(study)), "linear_criterion.csv") +
          (study.sweeps.empty()
               ? std::string()
-              : folded("From rest, upwards, downwards", html_table(sweep_record(study)), "sweeps.csv")) +
+              : folded("From rest, upwards, downwards",
+                       html_table(sweep_record(study.response.speeds, study.amplitudes, study.sweeps)),
+                       "sweeps.csv")) +
          (study.response.branches.empty()
               ? std::string()
               : folded("Branches of orbits", html_table(branch_record(study.response.branches)), "branches.csv")) +

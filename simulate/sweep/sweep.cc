@@ -11,7 +11,6 @@
 #include <mutex>
 #include <numbers>
 #include <optional>
-#include <ranges>
 #include <string>
 #include <thread>
 #include <utility>
@@ -144,8 +143,9 @@ void Sweep::open(const SweepSettings& settings, const SceneOrigin& origin) {
 }
 
 std::vector<double> Sweep::speeds() const {
-  const auto speeds = std::views::keys(full_);
-  return {speeds.begin(), speeds.end()};
+  std::vector<double> speeds;
+  for (const auto& [speed, amplitude] : full_) speeds.push_back(speed);
+  return speeds;
 }
 
 /// Writes branches, natural frequencies and speeds to the response, and removes the parts.

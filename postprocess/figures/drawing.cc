@@ -69,12 +69,10 @@ struct Assignment {
 };
 
 void write_sheet(std::ostream& out, const Eigen::MatrixXd& rows) {
-  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-    const bool is_blank = rows.row(i).array().isNaN().all();
-    for (Eigen::Index k = 0; k < rows.cols() && !is_blank; ++k)
-      out << (k > 0 ? "," : "") << (std::isfinite(rows(i, k)) ? significant(rows(i, k), table_digits) : "NaN");
-    out << '\n';
-  }
+  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+    for (Eigen::Index k = 0; k < rows.cols(); ++k)
+      out << (std::isfinite(rows(i, k)) ? significant(rows(i, k), table_digits) : "NaN")
+          << (k + 1 < rows.cols() ? ',' : '\n');
 }
 
 std::string data_block(const ScriptTable& table) {

@@ -27,8 +27,7 @@ struct DrawnRange {
 /// A value that a script reads by name: a number, a text, a list of either (an array, from 1), or a range.
 using ScriptValue = std::variant<int, double, std::string, std::vector<double>, std::vector<std::string>, DrawnRange>;
 
-/// Numbers that a script plots as $name; its sheets are `index 0`, `index 1`, and so on. A row without any number
-/// becomes a blank line, which ends a line of a surface.
+/// Numbers that a script plots as $name; its sheets are `index 0`, `index 1`, and so on.
 struct ScriptTable {
   std::string name;
   std::vector<Eigen::MatrixXd> sheets;

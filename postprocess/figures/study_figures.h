@@ -17,7 +17,7 @@ namespace tiprub::postprocess {
 
 // One builder for each figure; the captions in figures.json say what is drawn and how. Those of maps are in maps.h.
 
-// sector.cc
+// meridional_section.cc, mesh_error.cc
 /// The closed outlines of the area that some faces cover in the meridional plane; r, z [m], 2 x points. Edges of
 /// faces are bent at their middle nodes. Pieces with less than a ten-thousandth of the largest area are left out.
 std::vector<Eigen::Matrix2Xd> meridional_outline(const Eigen::Matrix3Xd& nodes,

@@ -64,16 +64,23 @@ TEST(MeshErrorFigure, ColoursTheSurfaceByTheSharesOfTheCells) {
   fields.mesh_error_of_frequencies = Eigen::Vector2d(1e-3, 3e-3);
   fields.mesh_error_of_compliances = Eigen::Vector2d(0.2, 0.0);
   const Figure figure = mesh_error_figure(fields);
-  const Eigen::MatrixXd& faces = figure.drawing.tables.at(0).sheets.at(0);
-  ASSERT_EQ(faces.rows(), 12 * 9);
-  for (Eigen::Index face = 0; face < faces.rows(); face += 9)
-    for (const Eigen::Index corner : {0, 1, 3, 4}) {
-      const Eigen::RowVectorXd row = faces.row(face + corner);
-      const bool inner = row.head<3>().norm() < 3e3;  // [mm]
-      EXPECT_DOUBLE_EQ(row[3], inner ? 25 : 75);
-      EXPECT_DOUBLE_EQ(row[4], inner ? 100 : 0.01);  // the least that is drawn
-      EXPECT_TRUE(std::isnan(faces(face + 6, 3)));   // nothing is drawn to the next face
+  ASSERT_EQ(figure.pixels.size(), 1U);
+  const Eigen::MatrixXf& pixels = figure.pixels[0].values;
+  const Eigen::Index half = pixels.rows() / 2;
+  const auto expect_values = [&](const Eigen::MatrixXf& panel, float one, float other) {
+    Eigen::Index ones = 0, others = 0;
+    for (const float value : panel.reshaped()) {
+      ones += value == one;
+      others += value == other;
+      EXPECT_TRUE(std::isnan(value) || value == one || value == other) << value;
     }
+    EXPECT_GT(ones, panel.size() / 100);
+    EXPECT_GT(others, panel.size() / 100);
+  };
+  for (const Eigen::Index column : {Eigen::Index(0), half}) {
+    expect_values(pixels.block(half, column, half, half), 25.0F, 75.0F);
+    expect_values(pixels.block(0, column, half, half), 100.0F, 0.01F);  // the least that is drawn
+  }
   ASSERT_EQ(figure.data.rows.size(), 2U);
   EXPECT_NE(figure.caption.find("75 %, lies at the radius 4"), std::string::npos) << figure.caption;
 }

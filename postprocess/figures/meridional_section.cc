@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The mesh of a sector: its meridional section, and where its errors come from.
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <boost/polygon/polygon.hpp>
 #include <cmath>
 #include <set>
 
-#include "mesh/cells/cell_kind.h"
 #include "postprocess/fields/field_recovery.h"
 #include "postprocess/fields/sector_geometry.h"
 #include "postprocess/figures/axes.h"
@@ -127,52 +124,6 @@ Table section_table(const std::vector<SectionLine>& lines) {
   return table;
 }
 
-/// The share [%] of each cell in the whole.
-Eigen::VectorXd shares(const Eigen::VectorXd& errors) {
-  const double sum = errors.sum();
-  return sum > 0 ? Eigen::VectorXd(errors * (percent / sum)) : Eigen::VectorXd::Zero(errors.size());
-}
-
-/// The faces of the surface, one after the other in lines of two points: two edges across from each other, and a line
-/// without colour, so that nothing is drawn from face to face. Columns: the axis, around it and outwards through the
-/// contact nodes [mm], then the shares of the face's cell [%].
-Eigen::MatrixXd coloured_faces(const SectorFields& sector, const Eigen::VectorXd& frequency,
-                               const Eigen::VectorXd& compliance) {
-  constexpr Eigen::Index rows_of_face = 9;
-  const Eigen::Vector3d tip = sector.nodes(Eigen::all, sector.node_set("contact")).rowwise().mean();
-  const Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(), outwards = Eigen::Vector3d(tip[0], tip[1], 0).normalized();
-  Eigen::Matrix3d directions;
-  directions << axis, axis.cross(outwards), outwards;
-  const Eigen::Matrix3Xd places = mm_per_m * directions.transpose() * sector.nodes;
-  const std::vector<SurfaceFace> faces = sector_surface(sector);
-  Eigen::MatrixXd rows =
-      Eigen::MatrixXd::Constant(rows_of_face * static_cast<Eigen::Index>(faces.size()), 5, std::nan(""));
-  Eigen::Index first = 0;
-  for (const SurfaceFace& face : faces) {
-    const auto set_corner = [&](Eigen::Index row, int corner) {
-      rows.row(first + row) << places.col(face.nodes[static_cast<std::size_t>(corner)]).transpose(),
-          frequency[face.cell], compliance[face.cell];
-    };
-    set_corner(0, 0);
-    set_corner(1, 1);
-    set_corner(3, face.corners() - 1);
-    set_corner(4, 2);  // of a triangle, its last corner once more
-    rows.block<2, 3>(first + 6, 0).setZero();
-    first += rows_of_face;
-  }
-  return rows;
-}
-
-Table share_table(const SectorFields& sector, const Eigen::VectorXd& frequency, const Eigen::VectorXd& compliance) {
-  Table table{{"cell", "x [mm]", "y [mm]", "z [mm]", "share of frequencies [%]", "share of compliances [%]"}, {}};
-  for (Eigen::Index cell = 0; cell < sector.cells.cols(); ++cell) {
-    const Eigen::Vector3d middle = mm_per_m * sector.nodes(Eigen::all, nodes_of(sector.cells, cell)).rowwise().mean();
-    table.rows.push_back(
-        {static_cast<int>(cell), middle[0], middle[1], middle[2], frequency[cell], compliance[cell]});
-  }
-  return table;
-}
-
 }  // namespace
 
 std::vector<Eigen::Matrix2Xd> meridional_outline(const Eigen::Matrix3Xd& nodes,
@@ -212,25 +163,6 @@ Figure meridional_section_figure(const SectorFields& sector, const ContactLine& 
            {"casing", casing(line, clearance, 1)}, {"contact nodes", contact}, {"clamped nodes", clamped}})
     lines.push_back(std::move(more));
   figure.data = section_table(lines);
-  return figure;
-}
-
-Figure mesh_error_figure(const FieldStudy& fields) {
-  constexpr double least_of_largest = 1e-4;  // where the colours begin
-  const SectorFields& sector = fields.sector;
-  const Eigen::VectorXd frequency = shares(fields.mesh_error_of_frequencies),
-                        compliance = shares(fields.mesh_error_of_compliances);
-  Eigen::Index worst = 0;
-  frequency.maxCoeff(&worst);
-  const double place = sector.nodes(Eigen::all, nodes_of(sector.cells, worst)).rowwise().mean().head<2>().norm();
-  Figure figure = listed_figure("mesh_error", {{"largest", significant(frequency[worst], 2)},
-                                               {"radius", fixed(mm_per_m * place, 1)},
-                                               {"cells", std::to_string(sector.cells.cols())}});
-  const double largest = std::max(frequency.maxCoeff(), compliance.maxCoeff()), least = least_of_largest * largest;
-  figure.drawing.values = {{"share", DrawnRange{least, largest}.widened()}};
-  figure.drawing.tables = {
-      {"faces", {coloured_faces(sector, frequency.cwiseMax(least), compliance.cwiseMax(least))}}};
-  figure.data = share_table(sector, frequency, compliance);
   return figure;
 }
 

@@ -12,7 +12,7 @@ knobs   on the case's mesh, one knob at a time off the finest reduction and marc
 mesh    the finest on finer and finer meshes, the first of which is the reference, and whole settings that a user might choose, the
         case as it is among them: mesh.tsv
 wheels  what `accuracy` comes to on two wheels, beside the finest reduction and march on the same mesh: CASE.tsv
-peaks   whole sweeps of two wheels with the settings of `mesh`, and the errors at three critical speeds each: peaks_CASE.tsv
+peaks   whole sweeps with the settings of `mesh`, and the errors at three critical speeds: peaks.tsv
 
 A line a run: group, name, dofs a sector, processor time [s] of the four programs and in all, speed [rpm], corner [mm],
 stress [MPa], what the report says was reached, and the errors of the three against the table's reference, its first line.
@@ -84,7 +84,7 @@ COMBINATIONS = {  # beside the reference of mesh.tsv; the first two have the mes
     "16, accuracy 0.1": {**meshed("16"), **asked(0.1)}, "16, accuracy 0.02": meshed("16"), "16, accuracy 0.005": {**meshed("16"), **asked(0.005)},
     "16, graded, accuracy 0.02": {**meshed("16"), **mesh("16", grading_along_chord=4)},
     "24, accuracy 0.02": meshed("24")}
-SWEEPS = {"impeller_quick": {"simulate.speed_min_rpm": 9000, "simulate.speed_max_rpm": 22000, "simulate.speed_count": 53}, "fast_impeller": {}}
+SWEEP = {"simulate.speed_min_rpm": 9000, "simulate.speed_max_rpm": 22000, "simulate.speed_count": 53}
 SWEPT = ["the case: points, accuracy 0.02", "the case, by default: segments", "8 along the chord, accuracy 0.1", "12, accuracy 0.02",
          "16, accuracy 0.02", "16, accuracy 0.005", "24, accuracy 0.02"]
 PEAKS, LEAST_SHARE = 3, 0.4  # a critical speed whose wave holds less of the motion has another name on another mesh
@@ -143,7 +143,7 @@ def read_off(response, fields, report):
     if not rows:
         raise LookupError(f"{report}: no critical speed")
     return [(float(row["speed [rpm]"]), corner_motion(response, fields, float(row["speed [rpm]"])), float(row["alternating [MPa]"] or "nan"),
-             f"EO {row['engine order']} ND {int(row['signed nodal diameter']):+d}", float(row["wave share [1]"])) for row in rows]
+             f"EO {row['engine order']} ND {int(row['signed nodal diameter']):+d}".replace("+0", "0"), float(row["wave share [1]"])) for row in rows]
 
 
 def corner_motion(response, fields, rpm):
@@ -206,6 +206,20 @@ def peaks_table(name, chain, rows):
                 file.write("\t".join(line) + "\n")
             file.flush()
     os.replace(name + ".part", name)
+    page_peaks(name)
+
+
+def page_peaks(name):
+    """page_NAME: a line a run, with the errors of speed, corner and stress in percent in one column for each critical speed."""
+    with open(name, newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file, delimiter="\t"))
+    peaks = [row for row in rows if row["name"] == rows[0]["name"]]
+    with open(f"page_{name}", "w", encoding="utf-8") as file:
+        file.write("\t".join(["", "s", *(f"{row['wave']}, {float(row['speed [rpm]']):,.0f} rpm" for row in peaks)]) + "\n")
+        for first in range(0, len(rows), len(peaks)):
+            cells = [", ".join(f"{100 * float(row[column]):.2g}" for column in ("error of the speed", "of the corner", "of the stress"))
+                     if row["error of the speed"] else row["speed [rpm]"] for row in rows[first:first + len(peaks)]]
+            file.write("\t".join([rows[first]["name"], format(float(rows[first]["in all [s]"]), ".0f"), *cells]) + "\n")
 
 
 def rows_by_name(table):
@@ -260,11 +274,10 @@ def main(programs, cases, what):
               [*(("finest", f"{name} along the chord", settings) for name, settings in MESHED.items()),
                *(("combination", name, {**WINDOW, **change}) for name, change in COMBINATIONS.items())])
     elif what == "peaks":
-        for case, sweep in SWEEPS.items():
-            peaks_table(f"peaks_{case}.tsv", chain(case),
-                        [*(("finest", f"{name} along the chord", {**sweep, **FINEST_MODEL, **FINEST_MARCH, **mesh(name), "reduce.contact_nodes": int(name)})
-                           for name in ("24", "16")),
-                         *(("combination", name, {**sweep, **COMBINATIONS[name]}) for name in SWEPT)])
+        peaks_table("peaks.tsv", chain("impeller_quick"),
+                    [*(("finest", f"{name} along the chord", {**SWEEP, **FINEST_MODEL, **FINEST_MARCH, **mesh(name), "reduce.contact_nodes": int(name)})
+                       for name in ("24", "16")),
+                     *(("combination", name, {**SWEEP, **COMBINATIONS[name]}) for name in SWEPT)])
     else:
         # Prestress and contact are the case's: what they leave out is no matter of accuracy.
         finest = {key: value for key, value in {**FINEST_MODEL, **FINEST_MARCH}.items() if key not in ("reduce.prestress", "reduce.contact")}

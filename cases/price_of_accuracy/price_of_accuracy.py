@@ -137,7 +137,7 @@ class Chain:
 
 
 def read_off(response, fields, report):
-    """Speed [rpm], corner [mm], stress [MPa], and wave of each critical speed, those of the largest amplitude first."""
+    """Speed [rpm], corner [mm], stress [MPa], wave and its share [1] of each critical speed, the largest amplitude first."""
     with open(os.path.join(report, "critical_speeds.csv"), encoding="utf-8") as file:
         rows = sorted(csv.DictReader(file), key=lambda row: -float(row["amplitude [mm]"]))
     if not rows:
@@ -187,7 +187,7 @@ def table(name, chain, rows):
 
 def peaks_table(name, chain, rows):
     """Writes a line a run and critical speed. The first run, the reference, chooses the speeds: those of the largest corners among
-    those whose wave holds enough of the motion. Elsewhere the nearest critical speed of the same wave is taken."""
+    those whose wave holds LEAST_SHARE of the motion. Elsewhere the nearest critical speed of the same wave is taken."""
     exact = None
     with open(name + ".part", "w", encoding="utf-8") as file:
         file.write("\t".join(["group", "name", "dofs a sector", "in all [s]", "peak", "speed [rpm]", "corner [mm]", "stress [MPa]", "wave",

@@ -10,7 +10,7 @@
 
 namespace tiprub {
 
-/// The names of an enumeration in response.h5; none of most enumerations.
+/// The names of an enumeration in response.h5. The list is empty unless an enumeration has its own below.
 template <class Value>
 inline constexpr NamedValues<Value, 0> names_of = {};
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -29,12 +28,7 @@ struct CholmodMemory {
   cholmod_common common_{};
   cholmod_factor* factor_ = nullptr;
 
-  CholmodMemory() {
-    // CHOLMOD's blocks then are this program's, see large_blocks.cc.
-    SuiteSparse_config.malloc_func = [](std::size_t size) { return std::malloc(size); };
-    SuiteSparse_config.realloc_func = [](void* block, std::size_t size) { return std::realloc(block, size); };
-    cholmod_l_start(&common_);
-  }
+  CholmodMemory() { cholmod_l_start(&common_); }
   CholmodMemory(const CholmodMemory&) = delete;
   CholmodMemory& operator=(const CholmodMemory&) = delete;
   ~CholmodMemory() {

@@ -80,7 +80,7 @@ class LinearAnalysis {
   void prepare() {
     results_.sector_count = mesh_.sector_count;
     results_.sector_dofs = dofs_.sector();
-    results_.prestress = name_of(parameters_.prestress);
+    results_.prestress = name_in(prestress_names, parameters_.prestress);
     const std::vector<double>& fractions = parameters_.verification_speeds;
     results_.speeds = parameters_.speed_max * Eigen::Map<const Eigen::VectorXd>(fractions.data(), fractions.size());
     const Eigen::Index speeds = results_.speeds.size(), modes = parameters_.verification_modes;
@@ -102,10 +102,9 @@ class LinearAnalysis {
     const SectorFactor factor(
         elasticity_.stiffness(0.0, Eigen::Matrix3Xd::Zero(3, mesh_.node_count()), parameters_.prestress), dofs_,
         factors_);
-    const std::vector<double> speeds(results_.speeds.begin(), results_.speeds.end());
-    static_ =
-        shapes_under_spin({elasticity_, mesh_, CyclicSolver(factor, transforms_[0])}, speeds, parameters_.prestress);
-    for (int row = 0; row < results_.speed_count() && speeds[row] == 0; ++row) solve_modes(row, factor);
+    static_ = shapes_under_spin({elasticity_, mesh_, CyclicSolver(factor, transforms_[0])},
+                                {results_.speeds.begin(), results_.speeds.end()}, parameters_.prestress);
+    for (int row = 0; row < results_.speed_count() && results_.speeds[row] == 0; ++row) solve_modes(row, factor);
   }
 
   Eigen::Matrix3Xd displacement(int row) const {

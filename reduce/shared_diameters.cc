@@ -2,7 +2,6 @@
 #include "reduce/shared_diameters.h"
 
 #include <algorithm>
-#include <complex>
 #include <cstddef>
 #include <utility>
 
@@ -12,90 +11,75 @@ namespace tiprub::reduce {
 
 namespace {
 
-class Packer {
+/// Numbers on their way to the leader: it puts what it visits there, or takes it from there.
+class Passage {
  public:
-  void operator()(int count) { numbers_.push_back(count); }
+  enum class End { departure, arrival };
+  explicit Passage(End end) : end_(end) {}
+
+  std::vector<double> numbers;
+
+  void operator()(int& count) {
+    double value = count;
+    pass(&value, 1);
+    count = static_cast<int>(value);
+  }
   /// Its size, and its entries as real numbers.
   template <class Matrix>
-  void operator()(const Matrix& matrix) {
-    (*this)(static_cast<int>(matrix.rows()));
-    (*this)(static_cast<int>(matrix.cols()));
-    const auto* entries = reinterpret_cast<const double*>(matrix.data());
-    numbers_.insert(numbers_.end(), entries, entries + matrix.size() * sizeof(*matrix.data()) / sizeof(double));
-  }
-  void operator()(const std::vector<Eigen::MatrixXcd>& matrices) {
-    (*this)(static_cast<int>(matrices.size()));
-    for (const Eigen::MatrixXcd& matrix : matrices) (*this)(matrix);
-  }
-  std::vector<double> take() { return std::move(numbers_); }
-
- private:
-  std::vector<double> numbers_;
-};
-
-class Unpacker {
- public:
-  explicit Unpacker(const std::vector<double>& numbers) : next_(numbers.data()) {}
-
-  void operator()(int& count) { count = static_cast<int>(*next_++); }
-  template <class Matrix>
   void operator()(Matrix& matrix) {
-    int rows = 0, columns = 0;
+    int rows = static_cast<int>(matrix.rows()), columns = static_cast<int>(matrix.cols());
     (*this)(rows);
     (*this)(columns);
     matrix.resize(rows, columns);
-    const std::size_t count = matrix.size() * sizeof(*matrix.data()) / sizeof(double);
-    std::copy_n(next_, count, reinterpret_cast<double*>(matrix.data()));
-    next_ += count;
+    pass(reinterpret_cast<double*>(matrix.data()), matrix.size() * sizeof(*matrix.data()) / sizeof(double));
   }
   void operator()(std::vector<Eigen::MatrixXcd>& matrices) {
-    int count = 0;
+    int count = static_cast<int>(matrices.size());
     (*this)(count);
     matrices.resize(static_cast<std::size_t>(count));
     for (Eigen::MatrixXcd& matrix : matrices) (*this)(matrix);
   }
 
  private:
-  const double* next_;
+  void pass(double* first, std::size_t count) {
+    if (end_ == End::departure)
+      numbers.insert(numbers.end(), first, first + count);
+    else
+      std::copy_n(numbers.data() + passed_, count, first);
+    passed_ += count;
+  }
+
+  End end_;
+  std::size_t passed_ = 0;
 };
 
-template <class Result, class Visitor>
-void visit(Result& result, Visitor& visitor) {
-  visitor(result.generalized_dofs);
-  visitor(result.dropped);
-  visitor(result.corrections);
-  visitor(result.stiffness);
-  visitor(result.mass);
-  visitor(result.unreduced);
-  visitor(result.frequency_errors);
-  visitor(result.compliance_errors);
-  visitor(result.frequency_cells);
-  visitor(result.compliance_cells);
+/// Brings what `visit` shows to the leader.
+template <class Visit>
+void pass_to_leader(ProcessGroup& group, int from, const Visit& visit) {
+  Passage passage(group.leads() ? Passage::End::arrival : Passage::End::departure);
+  if (!group.leads()) visit(passage);
+  group.pass_to_leader(from, passage.numbers);
+  if (group.leads()) visit(passage);
 }
 
 /// All but the shapes.
-std::vector<double> packed(const DiameterResult& result) {
-  Packer packer;
-  visit(result, packer);
-  return packer.take();
-}
-
-DiameterResult unpacked(const std::vector<double>& numbers) {
-  DiameterResult result;
-  Unpacker unpacker(numbers);
-  visit(result, unpacker);
-  return result;
+void pass_result(ProcessGroup& group, int from, DiameterResult& result) {
+  pass_to_leader(group, from, [&](Passage& passage) {
+    for (int* count : {&result.generalized_dofs, &result.dropped, &result.corrections}) passage(*count);
+    passage(result.stiffness);
+    passage(result.mass);
+    passage(result.unreduced);
+    for (Eigen::VectorXd* values :
+         {&result.frequency_errors, &result.compliance_errors, &result.frequency_cells, &result.compliance_cells})
+      passage(*values);
+  });
 }
 
 /// Brings a matrix to the leader, column by column; returns the way to ask for them there.
 ShapeOfBasis pass_columns(ProcessGroup& group, int from, const Eigen::MatrixXcd& columns) {
-  const auto next = [&group, from](const Eigen::VectorXcd& column) {
-    const auto* entries = reinterpret_cast<const double*>(column.data());
-    std::vector<double> numbers(entries, entries + 2 * column.size());
-    group.pass_to_leader(from, numbers);
-    const auto* passed = reinterpret_cast<const std::complex<double>*>(numbers.data());
-    return Eigen::VectorXcd(
-        Eigen::Map<const Eigen::VectorXcd>(passed, static_cast<Eigen::Index>(numbers.size() / 2)));
+  const auto next = [&group, from](Eigen::VectorXcd column) {
+    pass_to_leader(group, from, [&](Passage& passage) { passage(column); });
+    return column;
   };
   if (!group.leads())
     for (const auto& column : columns.colwise()) next(column);
@@ -125,10 +109,9 @@ void share_diameters(ProcessGroup& group, int diameters, int threads,
         keep(first + place, std::move(results[place]), [&](Eigen::Index k) { return shapes.col(k); });
       }
       if (from == 0 || (from != group.rank() && !group.leads())) continue;
-      std::vector<double> numbers = packed(results[place]);
-      group.pass_to_leader(from, numbers);
+      pass_result(group, from, results[place]);
       const ShapeOfBasis shapes = pass_columns(group, from, results[place].shapes);
-      if (group.leads()) keep(first + place, unpacked(numbers), shapes);
+      if (group.leads()) keep(first + place, std::move(results[place]), shapes);
     }
   }
 }

@@ -18,11 +18,10 @@ namespace {
 constexpr std::array<std::string_view, 6> program_tables = {"mesh",     "reduce",      "casing",
                                                             "simulate", "postprocess", "material"};
 
-template <class Value, class Shown>
-std::string listed(const std::vector<Value>& values, const Shown& shown) {
-  std::vector<std::string> words;
-  for (const Value& value : values) words.push_back(shown(value));
-  return "[" + joined(words) + "]";
+/// "[[0, 1], [0.5, 2]]"
+template <class Row>
+std::string listed_rows(const std::vector<Row>& rows) {
+  return "[" + listed(rows, ", ", [](const Row& row) { return "[" + listed(row, ", ", shortest) + "]"; }) + "]";
 }
 
 toml::table parse_case(const std::string& text, const std::string& file) {
@@ -223,7 +222,7 @@ std::vector<double> CaseTable::numbers(std::string_view key, std::optional<std::
   if (node != nullptr)
     for (const Node::Row& row : node_->rows_of(*node, key, 1))
       values.push_back(node_->checked(row.numbers[0], row.at, key, range, unit));
-  node_->note(key, listed(values, shortest), unit);
+  node_->note(key, "[" + listed(values, ", ", shortest) + "]", unit);
   return values;
 }
 
@@ -241,8 +240,7 @@ std::vector<std::array<double, 2>> CaseTable::points(std::string_view key,
                           shortest(values.back()[0]));
       values.push_back({x, node_->checked(row.numbers[1], row.at_last, key, range, unit)});
     }
-  node_->note(key, listed(values, [](const auto& p) { return "[" + shortest(p[0]) + ", " + shortest(p[1]) + "]"; }),
-              unit);
+  node_->note(key, listed_rows(values), unit);
   return values;
 }
 
@@ -253,7 +251,7 @@ std::vector<std::vector<double>> CaseTable::rows(std::string_view key, std::size
     values.push_back(row.numbers);
     node_->checked(values.back().back(), row.at_last, key, last, unit);
   }
-  node_->note(key, listed(values, [](const std::vector<double>& row) { return listed(row, shortest); }), unit);
+  node_->note(key, listed_rows(values), unit);
   return values;
 }
 
@@ -265,9 +263,9 @@ std::string CaseTable::choose(std::string_view key, std::optional<std::string> f
     value = node->value<std::string>().value_or("");
     if (!node->is_string() || std::find(names.begin(), names.end(), value) == names.end())
       node_->refuse(*node, key,
-                    (node->is_string() ? " = \"" + value + "\"" : "") + " must be one of: " + joined(names));
+                    (node->is_string() ? " = \"" + value + "\"" : "") + " must be one of: " + listed(names, ", "));
   }
-  node_->note(key, '"' + value + '"', "one of " + joined(names));
+  node_->note(key, '"' + value + '"', "one of " + listed(names, ", "));
   return value;
 }
 
@@ -306,7 +304,7 @@ void CaseTable::close() const {
   for (const auto& [key, value] : *node_->values)
     if (std::ranges::find(node_->asked, key.str()) == node_->asked.end())
       throw InputError(place(node_->file, key.source()) + "unknown key \"" + std::string(key.str()) + "\" in [" +
-                       node_->path + "]" + meant(key.str(), known) + "; known: " + joined(known));
+                       node_->path + "]" + meant(key.str(), known) + "; known: " + listed(known, ", "));
   for (const auto& [key, child] : node_->children) CaseTable(child).close();
 }
 
@@ -348,8 +346,7 @@ CaseFile::CaseFile(const std::filesystem::path& path, const std::vector<std::str
     const bool is_table = std::find(program_tables.begin(), program_tables.end(), key.str()) != program_tables.end();
     if (is_table ? value.is_table() : (key.str() == "title" && value.is_string())) continue;
     throw InputError(root_->where(&value) + "\"" + std::string(key.str()) +
-                     "\" is not known here; known: title (a text), and the tables " +
-                     joined({program_tables.begin(), program_tables.end()}));
+                     "\" is not known here; known: title (a text), and the tables " + listed(program_tables, ", "));
   }
   title_ = (*root_->values)["title"].value_or(std::string());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <functional>
@@ -11,10 +12,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "cases/program/errors.h"
+#include "cases/program/named_values.h"
 #include "cases/program/text_file.h"
 
 namespace tiprub {
@@ -72,8 +75,18 @@ class CaseTable {
   std::vector<std::vector<double>> rows(std::string_view key, std::size_t columns, const Range& last,
                                         std::string_view unit);
   template <class Value>
-  Value choice(std::string_view key, std::optional<Value> fallback,
-               std::initializer_list<std::pair<std::string_view, Value>> names);
+  Value choice(std::string_view key, Value fallback,
+               std::initializer_list<std::type_identity_t<NamedValue<Value>>> names) {
+    return chosen<Value>(key, fallback, names);
+  }
+  template <class Value, std::size_t count>
+  Value choice(std::string_view key, Value fallback, const NamedValues<Value, count>& names) {
+    return chosen<Value>(key, fallback, names);
+  }
+  template <class Value>
+  Value choice(std::string_view key, std::optional<Value> fallback, std::initializer_list<NamedValue<Value>> names) {
+    return chosen<Value>(key, fallback, names);
+  }
   /// A table inside this one. If it is absent, it reads as an empty one.
   CaseTable table(std::string_view key);
 
@@ -95,6 +108,8 @@ class CaseTable {
   CaseSettings settings() const;
 
  private:
+  template <class Value, class Names>
+  Value chosen(std::string_view key, std::optional<Value> fallback, const Names& names);
   std::string choose(std::string_view key, std::optional<std::string> fallback,
                      const std::vector<std::string>& names);
 
@@ -125,19 +140,16 @@ class CaseFile {
   std::shared_ptr<CaseTable::Node> root_;
 };
 
-template <class Value>
-Value CaseTable::choice(std::string_view key, std::optional<Value> fallback,
-                        std::initializer_list<std::pair<std::string_view, Value>> names) {
+template <class Value, class Names>
+Value CaseTable::chosen(std::string_view key, std::optional<Value> fallback, const Names& names) {
   std::vector<std::string> known;
   std::optional<std::string> fallback_name;
-  for (const auto& [name, value] : names) {
+  for (const auto& [value, name] : names) {
     known.emplace_back(name);
     if (fallback && *fallback == value) fallback_name = name;
   }
-  const std::string chosen = choose(key, fallback_name, known);
-  for (const auto& [name, value] : names)
-    if (name == chosen) return value;
-  return names.begin()->second;  // not reached: choose() returns one of the known names
+  const std::string name = choose(key, fallback_name, known);
+  return names.begin()[std::find(known.begin(), known.end(), name) - known.begin()].first;
 }
 
 /// Raises InputError at a key whose value is possible, but outside of what is usual for matter and machines: such

@@ -120,12 +120,6 @@ std::string place(const std::string& file, const toml::source_region& source) {
   return file + ":" + std::to_string(source.begin.line) + ":" + std::to_string(source.begin.column) + ": ";
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 std::string meant(std::string_view word, const std::vector<std::string>& known) {
   constexpr std::size_t few = 2;
   std::size_t least = std::min(few + 1, word.size());

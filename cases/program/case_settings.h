@@ -25,9 +25,6 @@ std::string setting_origin(const std::string& setting);
 /// The beginning of a message about a place in the case: "case.toml:3:7: ", or "--set mesh.element="hex27": ".
 std::string place(const std::string& file, const toml::source_region& source);
 
-/// "length, count, open"
-std::string joined(const std::vector<std::string>& words);
-
 /// " (did you mean lobes?)", if one of the known words is hardly different; else empty.
 std::string meant(std::string_view word, const std::vector<std::string>& known);
 

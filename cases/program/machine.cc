@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <exception>
@@ -143,6 +144,20 @@ void work_together(int threads, const std::function<void()>& work) {
   guarded();
   for (std::thread& other : others) other.join();
   if (failure) std::rethrow_exception(failure);
+}
+
+void work_on_pieces(std::ptrdiff_t size, std::ptrdiff_t at_once, int threads,
+                    const std::function<void(std::ptrdiff_t first, std::ptrdiff_t count)>& work) {
+  std::atomic<std::ptrdiff_t> next = 0;
+  const std::ptrdiff_t most = threads > 0 ? threads : std::thread::hardware_concurrency();
+  work_together(static_cast<int>(std::min(most, (size + at_once - 1) / at_once)), [&] {
+    for (std::ptrdiff_t first = 0; (first = next.fetch_add(at_once)) < size;) try {
+        work(first, std::min(at_once, size - first));
+      } catch (...) {
+        next = size;
+        throw;
+      }
+  });
 }
 
 void prepare_blas(char** argv) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -35,6 +36,12 @@ void keep_freed_memory();
 /// fewer threads, fewer run; results must therefore not depend on their number. If any of them raised an exception,
 /// one is raised again after all have ended.
 void work_together(int threads, const std::function<void()>& work);
+
+/// Divides 0 .. size - 1 into pieces of `at_once` numbers, and calls work(first, count) for each of them from up to
+/// `threads` threads; 0: as many as the machine has. Results must not depend on their number. After an exception no
+/// further piece is begun.
+void work_on_pieces(std::ptrdiff_t size, std::ptrdiff_t at_once, int threads,
+                    const std::function<void(std::ptrdiff_t first, std::ptrdiff_t count)>& work);
 
 /// Prepares the environment of OpenBLAS; to be called first in the main of a program that uses it. OpenBLAS reads its
 /// environment variables when it is loaded, before main. If they need other values, this function sets them and runs

@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <iomanip>
 #include <optional>
 #include <sstream>
@@ -41,6 +42,15 @@ std::string_view trimmed(std::string_view text, std::string_view blanks = " \t\r
 
 /// The words between blanks.
 std::vector<std::string_view> words_of(std::string_view text, std::string_view blanks = " \t\r");
+
+/// What `text` makes of each item, `between` them; items of which it makes nothing are left out.
+template <class Items, class Text = std::identity>
+std::string listed(const Items& items, const std::string& between, const Text& text = {}) {
+  std::string all;
+  for (const auto& item : items)
+    if (const std::string one(std::invoke(text, item)); !one.empty()) all += (all.empty() ? "" : between) + one;
+  return all;
+}
 
 enum class LineBreaks { escaped, kept };
 

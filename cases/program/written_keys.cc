@@ -18,11 +18,7 @@ namespace {
 std::string value_of(const toml::node& node) {
   if (const toml::value<std::string>* text = node.as_string()) return in_quotes(**text);
   if (node.is_number()) return shortest(node.value<double>().value());
-  if (const toml::array* list = node.as_array()) {
-    std::vector<std::string> words;
-    for (const toml::node& item : *list) words.push_back(value_of(item));
-    return "[" + joined(words) + "]";
-  }
+  if (const toml::array* list = node.as_array()) return "[" + listed(*list, ", ", value_of) + "]";
   return text_of(toml::node_view<const toml::node>(node));
 }
 

@@ -57,7 +57,7 @@ SmoothTable read_chord_table(CaseTable& table, std::string_view key,
 }
 
 double read_length_unit(CaseTable& table) {
-  return table.choice<double>("length_unit", std::nullopt, {{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"in", 0.0254}});
+  return table.choice<double>("length_unit", std::nullopt, {{1.0, "m"}, {1e-2, "cm"}, {1e-3, "mm"}, {0.0254, "in"}});
 }
 
 }  // namespace tiprub::mesh

@@ -271,9 +271,9 @@ std::string described(const CellMesh& mesh, const PeriodicCuts& cuts, const std:
 
 /// What a file holds that the import passes over although it changes the wheel, as lines.
 std::string warnings_of(const ForeignMesh& file) {
-  std::string text, kinds;
-  for (const auto& [kind, count] : file.not_read)
-    kinds += (kinds.empty() ? "" : ", ") + std::to_string(count) + " " + kind;
+  std::string text;
+  const std::string kinds =
+      listed(file.not_read, ", ", [](const auto& kind) { return text_of(kind.second, " ", kind.first); });
   if (!kinds.empty()) text += "\nwarning: not read: " + kinds + "; the sector lacks them";
   if (file.materials.size() > 1)
     text += text_of("\nwarning: ", file.materials.size(), " materials; tiprub-reduce takes the material of the case");
@@ -291,19 +291,19 @@ ImportParameters read_import_parameters(CaseTable& table) {
   const char* kind = "a mesh of another code";
   parameters.file = table.large_file("mesh_file", kind);
   require_format(table, parameters.file.name);
-  parameters.read = table.choice<ReadMesh>(
-      "mesh_format", usual_reader(parameters.file.name),
-      {{"inp", read_inp}, {"bdf", read_bdf}, {"cdb", read_cdb}, {"unv", read_unv}, {"msh", read_msh}});
+  parameters.read =
+      table.choice("mesh_format", usual_reader(parameters.file.name),
+                   {{read_inp, "inp"}, {read_bdf, "bdf"}, {read_cdb, "cdb"}, {read_unv, "unv"}, {read_msh, "msh"}});
   if (parameters.read != read_msh) require_utf8(parameters.file, kind);
   parameters.length = read_length_unit(table);
-  parameters.axis = table.choice<Axis>("axis", Axis::z, {{"x", Axis::x}, {"y", Axis::y}, {"z", Axis::z}});
+  parameters.axis = table.choice("axis", Axis::z, {{Axis::x, "x"}, {Axis::y, "y"}, {Axis::z, "z"}});
   parameters.sector_count = table.integer("sector_count", 0, Range::between(0, most_sectors), "sectors");
   for (const std::string key : selection_keys)
     parameters.selection[key] = table.text(key, key == "clamped" ? "clamped" : "");
   const bool low = parameters.selection["cyclic_low"].empty(), high = parameters.selection["cyclic_high"].empty();
   if (low != high) table.reject(low ? "cyclic_high" : "cyclic_low", "needs the other cut beside it");
-  parameters.leading_edge = table.choice<LeadingEdge>(
-      "leading_edge", LeadingEdge::low_z, {{"low_z", LeadingEdge::low_z}, {"high_z", LeadingEdge::high_z}});
+  parameters.leading_edge = table.choice("leading_edge", LeadingEdge::low_z,
+                                         {{LeadingEdge::low_z, "low_z"}, {LeadingEdge::high_z, "high_z"}});
   parameters.unusual = table.flag("unusual", false);
   table.close();
   return parameters;

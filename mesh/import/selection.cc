@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "cases/program/errors.h"
+#include "cases/program/text.h"
 
 namespace tiprub::mesh {
 
@@ -27,9 +28,8 @@ using IsIn = std::function<bool(const FreeFace&)>;
 }
 
 std::string names_in(const std::map<std::string, std::vector<int>>& sets) {
-  std::string names;
-  for (const auto& [each, members] : sets)
-    if (!members.empty()) names += (names.empty() ? "" : ", ") + each;
+  const std::string names =
+      listed(sets, ", ", [](const auto& set) { return set.second.empty() ? std::string() : set.first; });
   return names.empty() ? "none" : names;
 }
 

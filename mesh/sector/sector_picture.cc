@@ -33,11 +33,8 @@ struct Surface {
   std::map<std::string, std::size_t> counts;
 };
 
-std::string part_of(const NamedMesh::Entity& cells) {
-  return cells.groups.back();  // "sector" comes first
-}
-
-std::vector<int> sorted_corners(const std::size_t* first, std::size_t corners) {
+template <class Node>
+std::vector<int> sorted_corners(const Node* first, std::size_t corners) {
   std::vector<int> key(first, first + corners);
   std::sort(key.begin(), key.end());
   return key;
@@ -62,7 +59,7 @@ Surface surface_of(const NamedMesh& mesh) {
   surface.nodes.resize(3, static_cast<Eigen::Index>(mesh.nodes.size()));
   for (std::size_t k = 0; k < mesh.nodes.size(); ++k) surface.nodes.col(static_cast<Eigen::Index>(k)) = mesh.nodes[k];
   std::vector<std::vector<int>> cells;
-  std::map<int, std::string> part_at;  // by node; at the border of two parts either of them
+  std::vector<std::string> parts;  // by cell
   for (const NamedMesh::Entity& entity : mesh.entities)
     for (const auto& [type, nodes] : entity.elements) {
       if (entity.dimension == 1) surface.lines.emplace_back(entity.groups.front(), nodes);
@@ -70,17 +67,13 @@ Surface surface_of(const NamedMesh& mesh) {
       const auto kind = std::find_if(all_cell_kinds().begin(), all_cell_kinds().end(),
                                      [of = type](const CellKind& one) { return one.gmsh_type == of; });
       const auto width = static_cast<std::ptrdiff_t>(kind->nodes());
-      for (auto at = nodes.begin(); at != nodes.end(); at += width) {
-        cells.emplace_back(at, at + width);
-        for (const int node : cells.back()) part_at[node] = part_of(entity);
-      }
+      for (auto at = nodes.begin(); at != nodes.end(); at += width) cells.emplace_back(at, at + width);
+      parts.resize(cells.size(), entity.groups.back());  // "sector" comes first
     }
   const std::map<std::vector<int>, std::string> names = named_faces(mesh);
   for (const FreeFace& face : free_faces(surface.nodes, cells)) {
-    std::vector<int> key(face.nodes.begin(), face.nodes.begin() + static_cast<std::ptrdiff_t>(face.corners()));
-    std::sort(key.begin(), key.end());
-    const auto known = names.find(key);
-    surface.faces.push_back({face, known == names.end() ? part_at[face.nodes[face.corners()]] : known->second});
+    const auto known = names.find(sorted_corners(face.nodes.data(), face.corners()));
+    surface.faces.push_back({face, known == names.end() ? parts[face.cell] : known->second});
     ++surface.counts[surface.faces.back().name];
   }
   return surface;

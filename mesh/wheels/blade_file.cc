@@ -23,7 +23,7 @@ constexpr double usual_blunt_edge = 0.01, widest_blunt_edge = 0.2;
 FileBlade read_sections(CaseTable& table) {
   const NamedText file = table.file("blade_file", "a file of blade sections");
   const double length = read_length_unit(table);
-  const double angle = table.choice<double>("angle_unit", 1.0, {{"rad", 1.0}, {"deg", radians_per_degree}});
+  const double angle = table.choice("angle_unit", 1.0, {{1.0, "rad"}, {radians_per_degree, "deg"}});
   return read_section_table(file, {length, angle});
 }
 
@@ -44,7 +44,7 @@ FileBlade read_meanlines(CaseTable& table) {
 
 // A wheel that turns the other way about z is mirrored: ours turns towards +theta.
 void turn_towards_positive(CaseTable& table, FileBlade& blade) {
-  if (table.choice<bool>("rotation", true, {{"positive", true}, {"negative", false}})) return;
+  if (table.choice("rotation", true, {{true, "positive"}, {false, "negative"}})) return;
   const auto mirror = [](std::vector<BladeSection>& sections) {
     for (BladeSection& section : sections)
       for (BladePoint& point : section) point.theta = -point.theta;
@@ -159,7 +159,7 @@ void add_splitter(SectorPlan& plan, BladesOfFile& wheel, const FileBlade& blade,
 
 std::unique_ptr<WheelGeometry> read_wheel_of_blade_file(CaseTable& table, SectorPlan& plan) {
   const auto read_blade = table.choice<decltype(&read_sections)>(
-      "blade_format", std::nullopt, {{"sections", read_sections}, {"curve", read_curves}, {"rtzt", read_meanlines}});
+      "blade_format", std::nullopt, {{read_sections, "sections"}, {read_curves, "curve"}, {read_meanlines, "rtzt"}});
   FileBlade blade = read_blade(table);
   turn_towards_positive(table, blade);
   if (blade.blade_count.value_or(plan.sector_count) != plan.sector_count)
@@ -172,7 +172,7 @@ std::unique_ptr<WheelGeometry> read_wheel_of_blade_file(CaseTable& table, Sector
   plan.blades = Blades::main;
   const auto stand = table.choice<decltype(&stand_alone)>(
       "disc", std::nullopt,
-      {{"profile", stand_on_profile}, {"back_face", stand_on_back_face}, {"none", stand_alone}});
+      {{stand_on_profile, "profile"}, {stand_on_back_face, "back_face"}, {stand_alone, "none"}});
   if (blade.splitter && stand != stand_alone) add_splitter(plan, *wheel, blade, main, blunt);
   stand(table, plan, *wheel);
   return wheel;

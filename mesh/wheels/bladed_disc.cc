@@ -80,7 +80,7 @@ std::unique_ptr<WheelGeometry> read_bladed_disc(CaseTable& table, SectorPlan& pl
   wheel->axial_length = size("axial_length");
   if (wheel->rim_radius <= wheel->bore_radius) table.reject("rim_radius", "must be more than bore_radius");
   wheel->disc_profile = read_disc_profile(table, *wheel);
-  plan.blades = table.choice<Blades>("blade", Blades::main, {{"present", Blades::main}, {"none", Blades::none}});
+  plan.blades = table.choice("blade", Blades::main, {{Blades::main, "present"}, {Blades::none, "none"}});
   if (plan.blades == Blades::main) read_blade(table, *wheel);
   read_common(table, plan, 1);
   return wheel;

@@ -45,8 +45,8 @@ int elements_upstream(const SectorPlan& plan) {
 }
 
 void read_element(CaseTable& table, SectorPlan& plan) {
-  plan.element = table.choice<ElementKind>("element", ElementKind::hex20,
-                                           {{"hex20", ElementKind::hex20}, {"hex27", ElementKind::hex27}});
+  plan.element =
+      table.choice("element", ElementKind::hex20, {{ElementKind::hex20, "hex20"}, {ElementKind::hex27, "hex27"}});
 }
 
 // Half a passage lies on either side of the sector's cuts.
@@ -94,10 +94,10 @@ double SectorPlan::splitter_chord(double station_fraction) const {
 void read_common(CaseTable& table, SectorPlan& plan, int fewest_along_chord) {
   ElementCounts& elements = plan.elements;
   read_element(table, plan);
-  plan.clamped = table.choice<ClampedSurface>("clamped", ClampedSurface::bore,
-                                              {{"bore", ClampedSurface::bore},
-                                               {"front_face", ClampedSurface::front_face},
-                                               {"bore_and_front_face", ClampedSurface::bore_and_front_face}});
+  plan.clamped = table.choice("clamped", ClampedSurface::bore,
+                              {{ClampedSurface::bore, "bore"},
+                               {ClampedSurface::front_face, "front_face"},
+                               {ClampedSurface::bore_and_front_face, "bore_and_front_face"}});
   read_chord(table, plan, fewest_along_chord);
   elements.disc = count(table, "elements_through_disc", 3, 1);
   elements.between_blades = count(table, "elements_between_blades", 4, 1);

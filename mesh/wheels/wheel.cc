@@ -69,7 +69,7 @@ void check_widths(const CaseTable& table, const Wheel& wheel) {
 void read_contact_blades(CaseTable& table, SectorPlan& plan) {
   const bool has_splitter = plan.blades == Blades::main_and_splitter;
   if (!has_splitter && !table.has("contact_blades")) return;
-  plan.contact_on_splitters = table.choice<bool>("contact_blades", false, {{"main", false}, {"both", true}});
+  plan.contact_on_splitters = table.choice("contact_blades", false, {{false, "main"}, {true, "both"}});
   if (plan.contact_on_splitters && !has_splitter)
     table.reject("contact_blades",
                  "= \"both\" asks for contact on splitters, and this wheel has none; take \"main\"");
@@ -159,7 +159,7 @@ Wheel read_wheel(CaseTable& table) {
   Wheel wheel;
   const auto read_family = table.choice<decltype(&read_impeller)>(
       "family", std::nullopt,
-      {{"impeller", read_impeller}, {"bladed_disc", read_bladed_disc}, {"blade_file", read_wheel_of_blade_file}});
+      {{read_impeller, "impeller"}, {read_bladed_disc, "bladed_disc"}, {read_wheel_of_blade_file, "blade_file"}});
   wheel.plan.sector_count =
       table.integer("blade_count", std::nullopt, Range::between(fewest_sectors, most_sectors), "sectors");
   wheel.geometry = read_family(table, wheel.plan);

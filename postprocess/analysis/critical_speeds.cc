@@ -151,9 +151,7 @@ std::string wave_names(const CriticalSpeed& critical) {
   waves.insert(waves.end(), critical.others.begin(),
                critical.others.begin() + static_cast<std::ptrdiff_t>(std::min(named, critical.others.size())));
   largest_first(waves);
-  std::string text;
-  for (const WaveLabel& wave : waves) text += (text.empty() ? "mixed: " : ", ") + with_share(wave, critical);
-  return text;
+  return "mixed: " + listed(waves, ", ", [&](const WaveLabel& wave) { return with_share(wave, critical); });
 }
 
 Eigen::Index TipAmplitudes::worst() const {

@@ -9,12 +9,12 @@ namespace tiprub::postprocess {
 
 PostprocessParameters read_postprocess_parameters(CaseTable& table) {
   PostprocessParameters p;
-  p.component = table.choice<Component>("component", p.component,
-                                        {{"normal", Component::normal},
-                                         {"radial", Component::radial},
-                                         {"tangential", Component::tangential},
-                                         {"axial", Component::axial}});
-  p.edge = table.choice<TipEdge>("edge", p.edge, {{"leading", TipEdge::leading}, {"trailing", TipEdge::trailing}});
+  p.component = table.choice("component", p.component,
+                             {{Component::normal, "normal"},
+                              {Component::radial, "radial"},
+                              {Component::tangential, "tangential"},
+                              {Component::axial, "axial"}});
+  p.edge = table.choice("edge", p.edge, {{TipEdge::leading, "leading"}, {TipEdge::trailing, "trailing"}});
   p.families = table.integer("families", p.families, Range::between(1, 20), "modal families");
   p.engine_order_max =
       table.integer("engine_order_max", p.engine_order_max, Range::between(1, 100), "multiples of the rotation");

@@ -88,7 +88,7 @@ DrawnRange speed_axis_of_both(const ReportNumbers& here, const ReportNumbers& ot
 }
 
 /// "a, b and c"
-std::string listed(const std::vector<std::string>& names) {
+std::string enumerated(const std::vector<std::string>& names) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i)
     text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
@@ -177,8 +177,7 @@ std::string comparison_in_words(const ReportNumbers& here, const ReportNumbers& 
            std::to_string(here.peaks.size()) + " critical speeds here, " + std::to_string(other.peaks.size()) +
            " there.";
   }
-  for (std::size_t i = 0; i < other.changes.size(); ++i)
-    text += (i == 0 ? " The cases differ in " : "; ") + other.changes[i];
+  if (!other.changes.empty()) text += " The cases differ in " + listed(other.changes, "; ");
   if (!comparable)
     text += std::string(other.changes.empty() ? "" : ".") + " Amplitudes cannot be compared: here of the " +
             here.component + ", there of the " + other.component + ".";
@@ -192,9 +191,7 @@ Table reports_record(const ReportNumbers& this_one, const std::vector<ReportNumb
                "its stress with spin [MPa]", "its Goodman", "speeds to avoid"},
               {}};
   const auto add = [&](const ReportNumbers& numbers, const std::string& name) {
-    std::string changes;
-    for (const std::string& change : numbers.changes) changes += (changes.empty() ? "" : "; ") + change;
-    std::vector<Cell> row = {name, changes, static_cast<int>(numbers.peaks.size())};
+    std::vector<Cell> row = {name, listed(numbers.changes, "; "), static_cast<int>(numbers.peaks.size())};
     if (numbers.peaks.empty()) {
       row.insert(row.end(), 5, std::string());
     } else {
@@ -253,7 +250,7 @@ Figure comparison_figure(const ReportNumbers& this_one, const std::vector<Report
     names.push_back(other.name);
     there.push_back(curve(other));
   }
-  Figure figure = listed_figure("comparison", {{"other", listed(names)}});
+  Figure figure = listed_figure("comparison", {{"other", enumerated(names)}});
   figure.drawing.values = {{"speed", axis}, {"other_name", names}, {"others", static_cast<int>(names.size())}};
   figure.data = {{"response", "speed [rpm]", "amplitude [mm]"}, {}};
   const auto add = [&](const std::string& name, const Eigen::MatrixXd& rows) {

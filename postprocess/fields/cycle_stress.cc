@@ -2,9 +2,7 @@
 #include "postprocess/fields/cycle_stress.h"
 
 #include <algorithm>
-#include <atomic>
 #include <complex>
-#include <thread>
 #include <utility>
 
 #include "cases/program/machine.h"
@@ -176,14 +174,10 @@ class Maxima {
         phases.col(j).segment<2>(row) << phase.real(), -phase.imag();
       }
     }
-    std::atomic<Eigen::Index> next = 0;
-    work_together(static_cast<int>(std::thread::hardware_concurrency()), [&] {
+    work_on_pieces(spin_.cols(), nodes_at_once, 0, [&](Eigen::Index first, Eigen::Index count) {
       Block block;
-      for (Eigen::Index first = 0; (first = next.fetch_add(nodes_at_once)) < spin_.cols();) {
-        const Eigen::Index count = std::min(nodes_at_once, spin_.cols() - first);
-        block.take_nodes(waves, first, count);
-        add(block, factors, phases, first, count, at);
-      }
+      block.take_nodes(waves, first, count);
+      add(block, factors, phases, first, count, at);
     });
   }
 

@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <thread>
 #include <utility>
 
 #include "cases/program/machine.h"
@@ -56,16 +54,12 @@ Eigen::Matrix3Xcd cartesian(const SectorFields& sector, const Eigen::VectorXcd& 
 }
 
 void add_stress(const SectorFields& sector, const CellStress& bricks, std::span<WaveField> waves) {
-  std::atomic<std::size_t> next = 0;
-  const auto threads = std::min<std::size_t>(std::thread::hardware_concurrency(), (waves.size() + 1) / 2);
-  work_together(static_cast<int>(threads), [&] {
-    for (std::size_t i = 0; (i = next.fetch_add(2)) < waves.size();) {
-      const std::span<WaveField> both = waves.subspan(i, std::min<std::size_t>(2, waves.size() - i));
-      std::array<ComplexTensors, 2> stress = bricks.sums(both.front().displacement, both.back().displacement);
-      for (std::size_t k = 0; k < both.size(); ++k) {
-        average(sector, bricks, both[k].nodal_diameter, stress[k]);
-        both[k].stress = std::move(stress[k]);
-      }
+  work_on_pieces(std::ssize(waves), 2, 0, [&](std::ptrdiff_t first, std::ptrdiff_t count) {
+    const std::span<WaveField> both = waves.subspan(first, count);
+    std::array<ComplexTensors, 2> stress = bricks.sums(both.front().displacement, both.back().displacement);
+    for (std::size_t k = 0; k < both.size(); ++k) {
+      average(sector, bricks, both[k].nodal_diameter, stress[k]);
+      both[k].stress = std::move(stress[k]);
     }
   });
 }

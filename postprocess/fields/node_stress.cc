@@ -2,12 +2,10 @@
 #include "postprocess/fields/node_stress.h"
 
 #include <algorithm>
-#include <atomic>
 #include <complex>
 #include <mutex>
 #include <set>
 #include <string>
-#include <thread>
 
 #include "cases/program/errors.h"
 #include "cases/program/machine.h"
@@ -148,16 +146,12 @@ LargestStress largest_stress(const NodeStress& stress, const FieldsReader& reade
   for (const int n : nodal_diameters)
     factors.emplace_back(stress.of(n, Eigen::MatrixXcd::Identity(reader.dofs(n), reader.dofs(n))));
   return [factors, nodal_diameters, sectors = reader.sector().sector_count](const WheelCycle& cycle) {
-    std::atomic<Eigen::Index> next = 0;
     std::mutex mutex;
     double largest = 0;
-    work_together(static_cast<int>(std::thread::hardware_concurrency()), [&] {
-      for (Eigen::Index first = 0; (first = next.fetch_add(samples_of_product)) < cycle.samples();) {
-        const double here = largest_at(factors, nodal_diameters, sectors, cycle, first,
-                                       std::min<Eigen::Index>(samples_of_product, cycle.samples() - first));
-        const std::lock_guard lock(mutex);
-        largest = std::max(largest, here);
-      }
+    work_on_pieces(cycle.samples(), samples_of_product, 0, [&](Eigen::Index first, Eigen::Index count) {
+      const double here = largest_at(factors, nodal_diameters, sectors, cycle, first, count);
+      const std::lock_guard lock(mutex);
+      largest = std::max(largest, here);
     });
     return largest;
   };

@@ -2,12 +2,10 @@
 #include "postprocess/fields/stress_over_speed.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <set>
-#include <thread>
 
 #include "cases/program/machine.h"
 #include "cases/program/signal_cleanup.h"
@@ -226,12 +224,9 @@ Eigen::MatrixXd stress_over_speed(const FieldsReader& reader, const Study& study
   const SpeedStress stress(study.response.scene, modes);
   const auto count = static_cast<Eigen::Index>(nodes.size());
   Eigen::MatrixXd largest(count, static_cast<Eigen::Index>(speeds.size()));
-  std::atomic<std::size_t> next = 0;
-  work_together(static_cast<int>(std::thread::hardware_concurrency()), [&] {
-    for (std::size_t i = 0; (i = next++) < speeds.size();) {
-      stop_if_interrupted();
-      largest.col(static_cast<Eigen::Index>(i)) = stress.largest(speeds[i], count);
-    }
+  work_on_pieces(largest.cols(), 1, 0, [&](Eigen::Index i, Eigen::Index) {
+    stop_if_interrupted();
+    largest.col(i) = stress.largest(speeds[static_cast<std::size_t>(i)], count);
   });
   return largest;
 }

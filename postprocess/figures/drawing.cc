@@ -265,9 +265,8 @@ void draw(const std::vector<Drawing>& drawings, const fs::path& folder, int proc
 Figure listed_figure(const std::string& name, const std::map<std::string, std::string>& values) {
   static const nlohmann::json list = nlohmann::json::parse(embedded::figure_list::figures_json, nullptr, true, true);
   const nlohmann::json& entry = list.at(name);
-  std::string caption;
-  for (const nlohmann::json& line : entry.at("caption"))
-    caption += (caption.empty() ? "" : " ") + line.get<std::string>();
+  const std::string caption =
+      listed(entry.at("caption"), " ", [](const nlohmann::json& line) { return line.get<std::string>(); });
   const std::string text = filled(entry.at("title").get<std::string>() + "\n" + caption, values);
   const std::size_t title_end = text.find('\n');
   return {.drawing = {.name = name,

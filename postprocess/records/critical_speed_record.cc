@@ -89,14 +89,11 @@ bool is_another(const OtherStart& start, const SpeedResponse& response) {
 /// "up: modulated 0.045 mm; ...": motions from other starts that clearly differ from the speed's own; "none found",
 /// or empty if no other start was tried. The whole wheel has columns of its own.
 std::string other_motions(const SpeedResponse& response) {
-  std::string text;
-  for (const OtherStart& start : response.other_starts) {
-    if (&start == whole_wheel(response)) continue;
-    if (is_another(start, response))
-      text += (text.empty() ? "" : "; ") + std::string(name_of(start.start)) + ": " +
-              motion_text(start.motion, start.period_beats) + " " + significant(start.amplitude * mm_per_m, 3) +
-              " mm";
-  }
+  const std::string text = listed(response.other_starts, "; ", [&](const OtherStart& start) {
+    if (&start == whole_wheel(response) || !is_another(start, response)) return std::string();
+    return text_of(name_of(start.start), ": ", motion_text(start.motion, start.period_beats), " ",
+                   significant(start.amplitude * mm_per_m, 3), " mm");
+  });
   return text.empty() && !response.other_starts.empty() ? "none found" : text;
 }
 

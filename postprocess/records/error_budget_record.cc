@@ -148,10 +148,7 @@ double sum_over_sources(const ErrorBudget& budget, BudgetRows rows, Value value)
 
 template <class Condition>
 std::string sources_of(const ErrorBudget& budget, Condition condition) {
-  std::string text;
-  for (const BudgetRow& row : budget.rows)
-    if (condition(row)) text += (text.empty() ? "" : ", ") + row.source;
-  return text;
+  return listed(budget.rows, ", ", [&](const BudgetRow& row) { return condition(row) ? row.source : ""; });
 }
 
 /// "friction 0.1 (-2.9 %)", "damping 0.002 (+2044 %, joins 19622 rpm)": the row that changes a value most; empty
@@ -295,11 +292,13 @@ Table error_budget_record(const Study& study, const FieldResults& fields) {
     add({"as computed", "", 0, 0, 0, 0, motion_text(response.motion, response.period_beats)});
     for (const BudgetRow& row : budget.rows) add(row);
     const BudgetSum sum = sum_of(budget);
-    std::string missing = not_in_sum(budget);
-    if (!missing.empty()) missing = "without " + missing;
-    if (const std::string stress = not_in_stress_sum(budget); !stress.empty())
-      missing += (missing.empty() ? "" : "; ") + ("stress without " + stress);
-    add({"root of the sum of squares", "", sum.shift, sum.amplitude, sum.excursion, sum.stress, missing});
+    const auto without = [](const std::string& what, const std::string& missing) {
+      return missing.empty() ? "" : what + missing;
+    };
+    const std::array missing = {without("without ", not_in_sum(budget)),
+                                without("stress without ", not_in_stress_sum(budget))};
+    add({"root of the sum of squares", "", sum.shift, sum.amplitude, sum.excursion, sum.stress,
+         listed(missing, "; ")});
   }
   return table;
 }

@@ -259,10 +259,11 @@ std::vector<SceneNeed> scene_needs(const Study& study, const FieldEffects& field
 std::string damping_text(const SimulatedScene& scene) {
   constexpr int digits = 4;
   const DampingRatios& damping = scene.damping;
-  std::string text;
-  for (const double ratio : damping.by_family) text += (text.empty() ? "" : ", ") + significant(ratio, digits);
-  for (const auto& [frequency, ratio] : damping.by_frequency)
-    text += (text.empty() ? "" : ", ") + significant(ratio, digits) + " at " + fixed(frequency, 0) + " Hz";
+  std::string text = listed(damping.by_family, ", ", [](double ratio) { return significant(ratio, digits); });
+  if (text.empty())
+    text = listed(damping.by_frequency, ", ", [](const auto& point) {
+      return significant(point[1], digits) + " at " + fixed(point[0], 0) + " Hz";
+    });
   if (text.empty()) return "not told by the response";
   text = (damping.by_family.size() == 1 ? "ratio " : "ratios ") + text + " of critical";
   if (damping.by_family.size() > 1) text += ", the first family's, the second's, ...";
@@ -274,11 +275,10 @@ std::string damping_text(const SimulatedScene& scene) {
 }
 
 std::string effects_in_words(const std::vector<SceneNeed>& needs, Treatment treatment) {
-  std::string text;
-  for (const SceneNeed& need : needs)
-    if (need.effect.treatment == treatment)
-      text += (text.empty() ? std::string(name_of(treatment)) + ": " : ", ") + meaning_of(need.effect.effect).words;
-  return text;
+  const std::string text = listed(needs, ", ", [&](const SceneNeed& need) {
+    return need.effect.treatment == treatment ? meaning_of(need.effect.effect).words : "";
+  });
+  return text.empty() ? text : std::string(name_of(treatment)) + ": " + text;
 }
 
 std::string name_with_unit(Effect effect) {

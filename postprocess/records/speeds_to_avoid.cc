@@ -155,9 +155,9 @@ std::string concerns_of(const std::vector<AvoidedBand>& touching) {
   std::string text;
   for (int grade = 0; grade < concerns; ++grade) {
     const auto concern = static_cast<Concern>(grade);
-    std::string speeds;
-    for (const AvoidedBand& band : touching)
-      if (band.concern == concern) speeds += (speeds.empty() ? " from " : " and from ") + range_text(band.speeds);
+    const std::string speeds = listed(touching, " and", [&](const AvoidedBand& band) {
+      return band.concern == concern ? " from " + range_text(band.speeds) : "";
+    });
     if (speeds.empty()) continue;
     text += (text.empty() ? "" : "; ") + std::string(name_of(concern)) + (touching.size() > 1 ? speeds : "");
   }

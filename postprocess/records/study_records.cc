@@ -285,10 +285,10 @@ Table mode_record(const FieldStudy& fields) {
 
 std::string outside_validity(const Study& study, Eigen::Index index, const std::optional<FieldPeak>& stress) {
   const GapTerms& gap = study.gap[static_cast<std::size_t>(index)];
-  std::string text = gap.beyond() ? gap.in_words() : "";
-  if (stress && stress->yield_share.value_or(0) > 1)
-    text += (text.empty() ? "" : "; ") + std::string("stress ") + fixed(*stress->yield_share, 2) + " of yield";
-  return text;
+  const bool yields = stress && stress->yield_share.value_or(0) > 1;
+  return listed(std::array{gap.beyond() ? gap.in_words() : "",
+                           yields ? "stress " + fixed(*stress->yield_share, 2) + " of yield" : ""},
+                "; ");
 }
 
 std::string validity_in_short(const Study& study, std::size_t critical, const FieldResults& fields) {

@@ -32,12 +32,10 @@ std::string inside_text(const Study& study, const SpeedRange& range, const std::
       text += " A peak of " + mm_text(peak.amplitude) + " that is not located may lie inside it.";
   if (const auto failed = std::ranges::count_if(study.failed, holds, &SpeedResponse::speed); failed > 0)
     text += " " + counted(static_cast<std::size_t>(failed), "speed") + " inside it failed.";
-  std::string avoided;
-  for (const AvoidedBand& band : bands)
-    if (const double low = std::max(band.speeds.low, range.low), high = std::min(band.speeds.high, range.high);
-        low < high)
-      avoided +=
-          (avoided.empty() ? "" : ", ") + fixed(low * rpm_per_rad_s, 0) + " .. " + fixed(high * rpm_per_rad_s, 0);
+  const std::string avoided = listed(bands, ", ", [&](const AvoidedBand& band) {
+    const double low = std::max(band.speeds.low, range.low), high = std::min(band.speeds.high, range.high);
+    return low < high ? fixed(low * rpm_per_rad_s, 0) + " .. " + fixed(high * rpm_per_rad_s, 0) : "";
+  });
   return avoided.empty() ? text : text + " Speeds to avoid reach into it: " + avoided + " rpm.";
 }
 
@@ -61,10 +59,10 @@ std::string margin_text(const Study& study, const FieldResults& fields, const st
   const SpeedRange operating{keys.operating_min_rpm * rad_s_per_rpm, keys.operating_max_rpm * rad_s_per_rpm};
   const OperatingMargin margin = operating_margin(that_count(study, fields), operating);
   std::string text = "Operating range " + fixed(keys.operating_min_rpm, 0) + " to " + rpm_text(operating.high) + ": ";
+  const auto rpm = [](const CriticalSpeed& peak) { return fixed(peak.speed * rpm_per_rad_s, 0); };
   text += margin.inside.empty() ? "no critical speed inside"
-                                : counted(margin.inside.size(), "critical speed") + " inside (";
-  for (std::size_t i = 0; i < margin.inside.size(); ++i)
-    text += fixed(margin.inside[i].speed * rpm_per_rad_s, 0) + (i + 1 < margin.inside.size() ? ", " : " rpm)");
+                                : counted(margin.inside.size(), "critical speed") + " inside (" +
+                                      listed(margin.inside, ", ", rpm) + " rpm)";
   const auto outside = [](const std::optional<SpeedMargin>& there, const std::string& which) {
     return there ? "; the next " + which + ", " + rpm_text(there->speed) + ", is " +
                        fixed(percent * there->margin, 1) + " % away"

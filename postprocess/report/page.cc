@@ -300,15 +300,13 @@ std::string budget_section(const Study& study, const FieldResults& fields) {
 /// are no others.
 std::string comparison_section(const ReportContents& contents) {
   if (contents.others.empty()) return "";
-  std::string names, each;
-  for (const ReportNumbers& other : contents.others) {
-    names += (names.empty() ? "" : ", ") + other.name;
+  std::string each;
+  for (const ReportNumbers& other : contents.others)
     each += (contents.others.size() > 1 ? "<h3>" + escaped(other.name) + "</h3>\n" : "") + "<p>" +
             escaped(comparison_in_words(contents.numbers, other)) + "</p>\n" +
             html_table(comparison_record(contents.numbers, other));
-  }
   return filled(without_first_line(embedded::page_files::compared_html),
-                {{"others", escaped(names)},
+                {{"others", escaped(listed(contents.others, ", ", &ReportNumbers::name))},
                  {"reports", html_table(reports_record(contents.numbers, contents.others))},
                  {"each", each}});
 }
@@ -319,8 +317,7 @@ std::string wheel_section(const std::optional<FieldStudy>& fields) {
   std::vector<std::string> files = {"modes_wheel.vtu", "modes_sector.vtu"};
   if (fields->has_instant) files.insert(files.end(), {"contact_wheel.vtu", "contact_sector.vtu"});
   if (moving_at_instant(*fields)) files.emplace_back("motion_sector.pvd");
-  std::string links;
-  for (const std::string& file : files) links += (links.empty() ? "" : dot) + named("fields/" + file);
+  const std::string links = listed(files, dot, [](const std::string& file) { return named("fields/" + file); });
   const std::string peaks =
       fields->peaks.empty() ? "" : " Where the stress is largest, in full: " + named("stress_peaks.csv") + ".";
   return filled(without_first_line(embedded::page_files::wheel_html),

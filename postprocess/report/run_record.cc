@@ -54,9 +54,8 @@ double peak_memory() {
 
 }  // namespace
 
-RunRecord::RunRecord(std::vector<fs::path> inputs, const std::vector<fs::path>& stages) : inputs_(std::move(inputs)) {
-  for (const fs::path& stage : stages) stages_ += (stages_.empty() ? "" : "; ") + stage_in_words(stage);
-}
+RunRecord::RunRecord(std::vector<fs::path> inputs, const std::vector<fs::path>& stages)
+    : inputs_(std::move(inputs)), stages_(listed(stages, "; ", stage_in_words)) {}
 
 void RunRecord::done(const std::string& part) {
   const auto now = std::chrono::steady_clock::now();
@@ -67,11 +66,10 @@ void RunRecord::done(const std::string& part) {
 
 std::vector<Answer> RunRecord::in_words() const {
   constexpr double bytes_per_gb = 1e9;
-  std::string inputs, times;
-  for (const fs::path& file : inputs_)
-    inputs += (inputs.empty() ? "" : "; ") + file.filename().string() + " of " + date_of(file);
-  for (const auto& [part, seconds] : parts_)
-    times += (times.empty() ? "" : ", ") + part + " " + fixed(seconds, 1) + " s";
+  const std::string inputs =
+      listed(inputs_, "; ", [](const fs::path& file) { return file.filename().string() + " of " + date_of(file); });
+  std::string times =
+      listed(parts_, ", ", [](const auto& part) { return part.first + " " + fixed(part.second, 1) + " s"; });
   if (memory_ > 0) times += "; at most " + fixed(memory_ / bytes_per_gb, 2) + " GB of memory";
   const std::string commit = TIPRUB_COMMIT;
   std::vector<Answer> answers = {

@@ -33,10 +33,7 @@ std::string rule_sentence(const LinearRules& rules, double tolerance) {
 std::string motion_counts(const std::vector<SpeedResponse>& speeds) {
   std::map<MotionClass, std::size_t> counts;
   for (const SpeedResponse& speed : speeds) ++counts[speed.motion];
-  std::string text;
-  for (const auto& [motion, count] : counts)
-    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + name_of(motion);
-  return text;
+  return listed(counts, ", ", [](const auto& of) { return text_of(of.second, " ", name_of(of.first)); });
 }
 
 std::string steadiness_sentence(const Study& study) {
@@ -122,18 +119,17 @@ std::string sweep_sentence(const Study& study) {
 /// "From 33800.0 to 34800 rpm 3 orbits exist, 1 of them attracts. Stability changes at 33900 rpm (flip)."
 std::string branch_sentence(const Response& response) {
   const std::vector<OrbitBranch>& branches = response.branches;
-  std::string text;
-  for (const OrbitRange& range : ranges_of_many_orbits(branches))
-    text += (text.empty() ? "From " : " From ") + fixed(range.low * rpm_per_rad_s, 1) + " to " +
-            rpm_text(range.high) + " " + std::to_string(range.orbits) + " orbits exist, " +
-            (range.attracting == 0
-                 ? "none of them attracts."
-                 : std::to_string(range.attracting) + " of them attract" + (range.attracting == 1 ? "s." : "."));
-  std::string changes;
-  for (const StabilityChange& change : stability_changes(branches))
-    changes += (changes.empty() ? " Stability changes at " : ", ") + rpm_text(change.speed) + " (" +
-               name_of(change.kind) + ")";
-  if (!changes.empty()) changes += ".";
+  const std::string text = listed(ranges_of_many_orbits(branches), " ", [](const OrbitRange& range) {
+    return "From " + fixed(range.low * rpm_per_rad_s, 1) + " to " + rpm_text(range.high) + " " +
+           std::to_string(range.orbits) + " orbits exist, " +
+           (range.attracting == 0
+                ? "none of them attracts."
+                : std::to_string(range.attracting) + " of them attract" + (range.attracting == 1 ? "s." : "."));
+  });
+  std::string changes = listed(stability_changes(branches), ", ", [](const StabilityChange& change) {
+    return rpm_text(change.speed) + " (" + name_of(change.kind) + ")";
+  });
+  if (!changes.empty()) changes = " Stability changes at " + changes + ".";
   const ModelledEffect* const impacts = find(response.scene.effects, Effect::impact_instants);
   if (!branches.empty() && impacts != nullptr && impacts->treatment == Treatment::simplified)
     changes += " About the stability of the branches: " + impacts->reason + ".";

@@ -62,22 +62,22 @@ std::string friction_text(const FrictionLoad& friction) {
 }
 
 std::string still_rising(const Study& study) {
-  std::string text;
-  for (const Eigen::Index end : rising_ends(study.amplitudes.largest, study.parameters.prominence))
-    text += (text.empty() ? " The amplitude still rises towards " : " and ") +
-            rpm_text(study.response.speeds[static_cast<std::size_t>(end)].speed) + " (" +
-            mm_text(study.amplitudes.largest[end]) + ")";
-  return text.empty() ? "" : text + ": a peak may lie outside the simulated speeds.";
+  const std::vector<Eigen::Index> ends = rising_ends(study.amplitudes.largest, study.parameters.prominence);
+  const std::string text = listed(ends, " and ", [&](Eigen::Index end) {
+    return rpm_text(study.speed_at(end).speed) + " (" + mm_text(study.amplitudes.largest[end]) + ")";
+  });
+  return text.empty()
+             ? text
+             : " The amplitude still rises towards " + text + ": a peak may lie outside the simulated speeds.";
 }
 
 /// Peaks that are no critical speeds, because the response doesn't fall clearly on both sides.
 std::string not_located(const Study& study) {
-  std::string text;
-  for (const CriticalSpeed& peak : study.not_located)
-    text += (text.empty() ? " Not located, and no critical speeds: " : "; ") + mm_text(peak.amplitude) + " at " +
-            rpm_text(peak.speed) + ", a top that may lie anywhere between " +
-            fixed(peak.speed_low * rpm_per_rad_s, 0) + " and " + rpm_text(peak.speed_high);
-  return text.empty() ? text : text + ".";
+  const std::string text = listed(study.not_located, "; ", [](const CriticalSpeed& peak) {
+    return mm_text(peak.amplitude) + " at " + rpm_text(peak.speed) + ", a top that may lie anywhere between " +
+           fixed(peak.speed_low * rpm_per_rad_s, 0) + " and " + rpm_text(peak.speed_high);
+  });
+  return text.empty() ? text : " Not located, and no critical speeds: " + text + ".";
 }
 
 std::string how_bad(const Study& study, const FieldResults& fields) {
@@ -277,9 +277,9 @@ std::string trust(const Study& study, const FieldResults& fields, const std::vec
   for (const TrustLine& line : lines) text += "\n" + line.text + ".";
   for (const auto& [verdict, words] : {std::pair(CheckVerdict::undecided, "Undecided: "),
                                        std::pair(CheckVerdict::not_looked_at, "Not looked at: ")}) {
-    std::string subjects;
-    for (const Check& check : exactness_checks(study))
-      if (check.verdict == verdict) subjects += (subjects.empty() ? "" : ", ") + check.subject;
+    const std::string subjects = listed(exactness_checks(study), ", ", [&](const Check& check) {
+      return check.verdict == verdict ? check.subject : "";
+    });
     if (!subjects.empty()) text += "\n" + std::string(words) + subjects + ".";
   }
   return study.failed.empty() ? text : text + "\n" + counted(study.failed.size(), "speed") + " failed.";
@@ -304,10 +304,10 @@ std::string interference_text(const Study& study) {
 /// The effects that a better model of this scene would have to include, the largest over its tolerance first.
 std::string what_matters(std::vector<SceneNeed> needs) {
   std::ranges::stable_sort(needs, std::greater(), &SceneNeed::over_tolerance);
-  std::string text;
-  for (const SceneNeed& need : needs)
-    if (need.verdict == NeedVerdict::matters && need.effect.treatment == Treatment::left_out)
-      text += (text.empty() ? "" : "; ") + std::string(meaning_of(need.effect.effect).words);
+  const std::string text = listed(needs, "; ", [](const SceneNeed& need) {
+    const bool shown = need.verdict == NeedVerdict::matters && need.effect.treatment == Treatment::left_out;
+    return shown ? meaning_of(need.effect.effect).words : "";
+  });
   return text.empty() ? "" : "What is left out and matters in this scene: " + text + ".";
 }
 
@@ -324,9 +324,9 @@ std::string given_words(ClearanceState state) {
 }  // namespace
 
 std::string speeds_warning(const Study& study) {
-  std::string text;
-  for (const Check& check : speeds_checks(study))
-    if (check.verdict == CheckVerdict::failed) text += (text.empty() ? "" : ", ") + failed_text(check);
+  const std::string text = listed(speeds_checks(study), ", ", [](const Check& check) {
+    return check.verdict == CheckVerdict::failed ? failed_text(check) : "";
+  });
   return text.empty()
              ? text
              : "The speeds are too far apart: " + text +

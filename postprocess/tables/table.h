@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "cases/program/text.h"
 #include "cases/program/units.h"
 
 namespace tiprub::postprocess {

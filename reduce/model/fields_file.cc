@@ -3,9 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <atomic>
 #include <numbers>
-#include <thread>
 
 #include "cases/program/digest.h"
 #include "cases/program/machine.h"
@@ -258,15 +256,11 @@ namespace {
 /// sum += shapes both; `both` holds the factors of the real parts of the shapes, then of their imaginary ones.
 /// Threads share blocks of rows, so that the result does not depend on their number.
 void add_shapes(const Eigen::Ref<const Eigen::MatrixXcf>& shapes, const Eigen::MatrixXd& both, Eigen::MatrixXd& sum) {
-  std::atomic<Eigen::Index> next = 0;
-  work_together(static_cast<int>(std::thread::hardware_concurrency()), [&] {
-    for (Eigen::Index first = 0; (first = next.fetch_add(rows_at_once)) < sum.rows();) {
-      const Eigen::Index count = std::min(rows_at_once, sum.rows() - first);
-      const auto rows = shapes.middleRows(first, count);
-      Eigen::MatrixXd block(count, both.rows());
-      block << rows.real().cast<double>(), rows.imag().cast<double>();
-      sum.middleRows(first, count).noalias() += block * both;
-    }
+  work_on_pieces(sum.rows(), rows_at_once, 0, [&](Eigen::Index first, Eigen::Index count) {
+    const auto rows = shapes.middleRows(first, count);
+    Eigen::MatrixXd block(count, both.rows());
+    block << rows.real().cast<double>(), rows.imag().cast<double>();
+    sum.middleRows(first, count).noalias() += block * both;
   });
 }
 

@@ -20,8 +20,7 @@ using RowMajor = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 /// "3 x 4", "scalar".
 template <class Shape>
 std::string shape_text(const Shape& shape) {
-  std::string words;
-  for (const auto extent : shape) words += (words.empty() ? "" : " x ") + std::to_string(extent);
+  const std::string words = listed(shape, " x ", [](auto extent) { return std::to_string(extent); });
   return words.empty() ? "scalar" : words;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cases/program/errors.h"
+#include "cases/program/named_values.h"
 #include "cases/program/text.h"
 
 namespace tiprub {
@@ -53,6 +54,13 @@ class Hdf5File {
   double number_attribute(const std::string& object, const std::string& name) const;
   int integer_attribute(const std::string& object, const std::string& name) const;
   bool has_attribute(const std::string& object, const std::string& name) const;
+  /// The value of an enumeration that an attribute names.
+  template <class Value, std::size_t count>
+  Value named_attribute(const std::string& object, const std::string& name,
+                        const NamedValues<Value, count>& names) const {
+    return value_named(names, text_attribute(object, name),
+                       path_ + (object == "/" ? "" : ": " + object) + ": attribute " + name);
+  }
 
   /// Writes a text of any length as a dataset, because an attribute holds only 64 KB.
   void write_text(const std::string& name, const std::string& text);

@@ -106,8 +106,7 @@ std::vector<ModelledEffect> read_effects(const Hdf5File& file) {
   for (const std::string& name : file.members(effects_group)) {
     const EffectMeaning& meaning = meaning_named(file, name);
     const std::string group = effects_group + "/" + name;
-    const Treatment treatment = value_named(treatment_names, file.text_attribute(group, "treatment"),
-                                            file.path() + ": " + group + ": attribute treatment");
+    const Treatment treatment = file.named_attribute(group, "treatment", treatment_names);
     effects.push_back({meaning.effect, treatment, file.text_attribute(group, "reason"),
                        read_size(file, group, "size"), read_size(file, group, "tolerance")});
     if (file.has_attribute(group, "unit") && file.text_attribute(group, "unit") != meaning.unit)

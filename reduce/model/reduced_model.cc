@@ -10,7 +10,6 @@
 
 #include "cases/program/digest.h"
 #include "cases/program/errors.h"
-#include "cases/program/named_values.h"
 #include "cases/program/text.h"
 #include "cases/program/units.h"
 #include "reduce/model/dense_eigen.h"
@@ -19,11 +18,6 @@
 namespace tiprub {
 
 namespace {
-
-constexpr NamedValues<Prestress, 4> prestress_names = {{{Prestress::given, "given"},
-                                                        {Prestress::stress_only, "stress_only"},
-                                                        {Prestress::linear, "linear"},
-                                                        {Prestress::nonlinear, "nonlinear"}}};
 
 constexpr double hermitian_tolerance = 1e-9;  // of the largest entry
 constexpr double unit_tolerance = 1e-6;
@@ -251,16 +245,9 @@ std::vector<ModelledEffect> effects_of(const ReducedModel& model) {
           {Effect::mesh, Treatment::simplified, "finite elements"}};
 }
 
-const char* name_of(Prestress prestress) {
-  return name_in(prestress_names, prestress);
-}
-
-Prestress prestress_named(const std::string& name, const std::string& where) {
-  return value_named(prestress_names, name, where);
-}
-
 std::string ReducedModel::stiffness_under_spin() const {
-  return std::string(name_of(prestress)) + (spin_softening == SpinSoftening::off ? without_spin_softening : "");
+  return std::string(name_in(prestress_names, prestress)) +
+         (spin_softening == SpinSoftening::off ? without_spin_softening : "");
 }
 
 const char* name_of(ContactKind kind) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/program/named_values.h"
 #include "reduce/model/modelled_effects.h"
 #include "reduce/model/speed_polynomial.h"
 
@@ -35,19 +36,24 @@ enum class Prestress {
                 ///< what CalculiX does after a static step with NLGEOM; eq. 7 is then an approximation
 };
 
+inline constexpr NamedValues<Prestress, 4> prestress_names = {{{Prestress::given, "given"},
+                                                               {Prestress::stress_only, "stress_only"},
+                                                               {Prestress::linear, "linear"},
+                                                               {Prestress::nonlinear, "nonlinear"}}};
+
 /// Whether K(Omega) holds -Omega^2 M_perp. Physics says yes; without it is for study.
 enum class SpinSoftening { on, off };
-
-/// "given", "stress_only", "linear" or "nonlinear", as case files and model.h5 have it.
-const char* name_of(Prestress prestress);
-/// Raises RunError, which begins with `where`, if there is none of that name.
-Prestress prestress_named(const std::string& name, const std::string& where);
+inline constexpr NamedValues<SpinSoftening, 2> softening_names = {
+    {{SpinSoftening::on, "on"}, {SpinSoftening::off, "off"}}};
 
 /// The kind of the contact unknowns.
 enum class ContactKind {
   points,    ///< the displacement of a node: forces act at points
   segments,  ///< a weighted mean over a stretch of the tip: forces are spread over it with the same weights
 };
+
+inline constexpr NamedValues<ContactKind, 2> contact_kind_names = {
+    {{ContactKind::points, "points"}, {ContactKind::segments, "segments"}}};
 
 /// "contact node", "contact segment": for people.
 const char* name_of(ContactKind kind);

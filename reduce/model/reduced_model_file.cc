@@ -20,7 +20,6 @@ constexpr const char* position_unit = "m, rad, m";
 constexpr const char* blade_name = "/contact/blade";
 constexpr const char* second_order_group = "/contact/second_order";
 constexpr const char* mesh_error_group = "/mesh_error";
-constexpr const char *points = "points", *segments = "segments";
 
 std::string group_of(int nodal_diameter) {
   return "/nodal_diameter/" + std::to_string(nodal_diameter);
@@ -97,29 +96,18 @@ NodalDiameterModel read_nodal_diameter(const Hdf5File& file, const std::string& 
   return matrices;
 }
 
-ContactKind read_contact_kind(const Hdf5File& file) {
-  if (!file.has_attribute("/", "contact")) return ContactKind::points;
-  const std::string name = file.text_attribute("/", "contact");
-  if (name == points) return ContactKind::points;
-  if (name == segments) return ContactKind::segments;
-  file.refuse("attribute `contact` is \"", name, "\", must be \"points\" or \"segments\"");
-}
-
 /// A model made by hand may leave both out. Older files name the softening in the text of the prestress.
 void read_stiffness_under_spin(const Hdf5File& file, ReducedModel& model) {
-  std::string softening =
-      file.has_attribute("/", "spin_softening") ? file.text_attribute("/", "spin_softening") : "on";
+  if (file.has_attribute("/", "spin_softening"))
+    model.spin_softening = file.named_attribute("/", "spin_softening", softening_names);
   if (file.has_attribute("/", "prestress")) {
     std::string prestress = file.text_attribute("/", "prestress");
     if (prestress.ends_with(without_spin_softening)) {
       prestress.resize(prestress.size() - std::string_view(without_spin_softening).size());
-      softening = "off";
+      model.spin_softening = SpinSoftening::off;
     }
-    model.prestress = prestress_named(prestress, file.path() + ": attribute prestress");
+    model.prestress = value_named(prestress_names, prestress, file.path() + ": attribute prestress");
   }
-  if (softening != "on" && softening != "off")
-    file.refuse("attribute spin_softening is \"", softening, "\", must be \"on\" or \"off\"");
-  model.spin_softening = softening == "on" ? SpinSoftening::on : SpinSoftening::off;
 }
 
 /// How many of the contact nodes stand on the splitter: those after the main blade's.
@@ -157,7 +145,7 @@ SecondOrderGap read_second_order(const Hdf5File& file) {
 
 ContactLine read_contact_line(const Hdf5File& file) {
   ContactLine contact;
-  contact.kind = read_contact_kind(file);
+  if (file.has_attribute("/", "contact")) contact.kind = file.named_attribute("/", "contact", contact_kind_names);
   contact.arc_length = file.read_vector("/contact/arc_length");
   require_unit(file, "/contact/arc_length", "m");
   contact.position = read_triples(file, "/contact/position", position_unit);
@@ -294,9 +282,9 @@ void write_model(const ReducedModel& model, const std::filesystem::path& path, c
   file.set_attribute("/", "sector_count", model.sector_count);
   file.set_attribute("/", "speed_max", model.speed_max);
   file.set_attribute("/", "modes_at_speed", model.modes_at_speed);
-  file.set_attribute("/", "prestress", std::string(name_of(model.prestress)));
-  file.set_attribute("/", "spin_softening", std::string(model.spin_softening == SpinSoftening::on ? "on" : "off"));
-  file.set_attribute("/", "contact", std::string(model.contact.kind == ContactKind::points ? points : segments));
+  file.set_attribute("/", "prestress", name_in(prestress_names, model.prestress));
+  file.set_attribute("/", "spin_softening", name_in(softening_names, model.spin_softening));
+  file.set_attribute("/", "contact", name_in(contact_kind_names, model.contact.kind));
   file.write_text("/provenance", model.provenance);
   file.set_attribute("/", "digest", digest(model));
   if (!model.mesh_digest.empty()) file.set_attribute("/", "mesh_digest", model.mesh_digest);

@@ -133,9 +133,8 @@ Eigen::VectorXd linear_shape(const SpinProblem& problem) {
   return transform.expand(problem.nearby.solve(transform.gather(load), ContactNodes::free)).real();
 }
 
-SpinShapes shapes_under_spin(const SpinProblem& problem, std::vector<double> speeds, Prestress prestress) {
+SpinShapes shapes_under_spin(const SpinProblem& problem, const std::set<double>& speeds, Prestress prestress) {
   KnownShape known{0.0, linear_shape(problem)};
-  std::sort(speeds.begin(), speeds.end());
   SpinShapes shapes;
   for (const double speed : speeds) {
     const double square = speed * speed;

@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 #include <map>
-#include <vector>
+#include <set>
 
 #include "reduce/operators/cyclic_solver.h"
 
@@ -60,6 +60,6 @@ struct SpinShapes {
 
 /// The shapes under spin at these speeds [rad/s]. Linear and stress-only prestress: Omega^2 K(0)^-1 f. Nonlinear:
 /// climb(), each from the one before it. The nearby K must be that at rest. Raises RunError, with the speed.
-SpinShapes shapes_under_spin(const SpinProblem& problem, std::vector<double> speeds, Prestress prestress);
+SpinShapes shapes_under_spin(const SpinProblem& problem, const std::set<double>& speeds, Prestress prestress);
 
 }  // namespace tiprub::reduce

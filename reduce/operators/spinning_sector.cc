@@ -18,8 +18,9 @@ class ShapeFit {
  public:
   ShapeFit(const SpinProblem& problem, const ReductionParameters& parameters)
       : problem_(problem), parameters_(parameters) {
-    std::vector<double> speeds = speeds_at(parameters.verification_speeds, parameters.speed_max);
-    speeds.insert(speeds.end(), {0.0, parameters.speed_max});
+    const std::vector<double> verified = speeds_at(parameters.verification_speeds, parameters.speed_max);
+    std::set<double> speeds(verified.begin(), verified.end());
+    speeds.insert({0.0, parameters.speed_max});
     shape_.equilibria = shapes_under_spin(problem, speeds, parameters.prestress);
   }
 

@@ -3,8 +3,6 @@
 
 #include <cblas.h>
 
-#include <algorithm>
-
 #include "cases/program/machine.h"
 
 namespace tiprub::reduce {
@@ -33,15 +31,7 @@ void FirstException::raise() const {
 
 void parallel_for(int count, int threads, const std::function<void(int)>& body) {
   const OneBlasThread one_each;
-  std::atomic<int> next = 0;
-  work_together(std::min(threads, count), [&] {
-    for (int i = next++; i < count; i = next++) try {
-        body(i);
-      } catch (...) {
-        next = count;  // the others need not go on
-        throw;
-      }
-  });
+  work_on_pieces(count, 1, threads, [&](std::ptrdiff_t i, std::ptrdiff_t) { body(static_cast<int>(i)); });
 }
 
 }  // namespace tiprub::reduce

@@ -22,9 +22,9 @@ int modes_for(double accuracy, int usual) {
 
 std::optional<ContactKind> read_contact(CaseTable& table) {
   using Contact = std::optional<ContactKind>;
-  return table.choice<Contact>(
-      "contact", std::optional<Contact>(std::in_place),
-      {{"automatic", Contact()}, {"points", ContactKind::points}, {"segments", ContactKind::segments}});
+  return table.choice(
+      "contact", Contact(),
+      {{Contact(), "automatic"}, {ContactKind::points, "points"}, {ContactKind::segments, "segments"}});
 }
 
 /// Refuses the keys that have no effect on a sector by its matrices, because a user would believe in their effect.
@@ -49,9 +49,9 @@ Material read_material(CaseTable& table) {
 }
 
 void read_spin(CaseTable& table, ReductionParameters& p) {
-  p.prestress = table.choice<Prestress>(
+  p.prestress = table.choice(
       "prestress", Prestress::linear,
-      {{"linear", Prestress::linear}, {"stress_only", Prestress::stress_only}, {"nonlinear", Prestress::nonlinear}});
+      {{Prestress::linear, "linear"}, {Prestress::stress_only, "stress_only"}, {Prestress::nonlinear, "nonlinear"}});
   p.spin_softening = table.flag("spin_softening", true) ? SpinSoftening::on : SpinSoftening::off;
 }
 
@@ -82,10 +82,10 @@ void read_cells(CaseTable& table, ReductionParameters& p) {
 }
 
 Factorization read_factorization(CaseTable& table) {
-  return table.choice<Factorization>("factorization", Factorization::automatic,
-                                     {{"automatic", Factorization::automatic},
-                                      {"cholmod", Factorization::cholmod},
-                                      {"mumps", Factorization::mumps}});
+  return table.choice("factorization", Factorization::automatic,
+                      {{Factorization::automatic, "automatic"},
+                       {Factorization::cholmod, "cholmod"},
+                       {Factorization::mumps, "mumps"}});
 }
 
 }  // namespace

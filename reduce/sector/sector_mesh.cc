@@ -43,10 +43,7 @@ std::string SectorMesh::kinds_in_words() const {
   if (matrices != nullptr) return "given by their matrices";
   std::map<int, int> counts;
   for (int cell = 0; cell < cell_count(); ++cell) ++counts[static_cast<int>(nodes_of(cells, cell).size())];
-  std::string words;
-  for (const auto& [size, count] : counts)
-    words += (words.empty() ? "" : ", ") + std::to_string(count) + " " + cell_kind(size).name;
-  return words;
+  return listed(counts, ", ", [](const auto& of) { return text_of(of.second, " ", cell_kind(of.first).name); });
 }
 
 double SectorMatrices::total_mass() const {

@@ -2,7 +2,6 @@
 #include "simulate/march/rotor_at_speed.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -165,15 +164,11 @@ FrequencyTable frequency_table(const ReducedModel& model, const Damping& damping
   table.speed = Eigen::VectorXd::LinSpaced(frequency_speeds, 0.0, speed_max);
   const int diameters = model.nodal_diameter_max() + 1;
   std::vector<Eigen::VectorXd> rows(static_cast<std::size_t>(diameters) * frequency_speeds);
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < rows.size(); i = next++) {
-      const int n = static_cast<int>(i / frequency_speeds);
-      const double speed = table.speed[static_cast<Eigen::Index>(i % frequency_speeds)];
-      rows[i] = signed_frequencies(modes_at_speed(model, n, speed, ModeParts::frequencies).omega_squared);
-    }
-  };
-  work_together(threads, work);
+  work_on_pieces(std::ssize(rows), 1, threads, [&](std::ptrdiff_t i, std::ptrdiff_t) {
+    const double speed = table.speed[i % frequency_speeds];
+    rows[static_cast<std::size_t>(i)] = signed_frequencies(
+        modes_at_speed(model, static_cast<int>(i / frequency_speeds), speed, ModeParts::frequencies).omega_squared);
+  });
   for (int n = 0; n < diameters; ++n) {
     const std::size_t first = static_cast<std::size_t>(n) * frequency_speeds;
     Eigen::MatrixXd& curves = table.by_nodal_diameter.emplace_back(frequency_speeds, rows[first].size());

@@ -10,14 +10,11 @@ void NamedAxes::set(const std::string& axis, std::size_t length, const std::stri
 }
 
 std::string NamedAxes::describe(const std::vector<std::string>& axes) const {
-  std::string text;
-  for (const std::string& axis : axes) {
+  return listed(axes, " x ", [&](const std::string& axis) {
     const auto known = lengths_.find(axis);
-    text += (text.empty() ? "" : " x ") + (known == lengths_.end() ? "at least 1 " + axis
-                                                                   : std::to_string(known->second.value) + " " +
-                                                                         axis + " (" + known->second.because + ")");
-  }
-  return text;
+    return known == lengths_.end() ? "at least 1 " + axis
+                                   : text_of(known->second.value, " ", axis, " (", known->second.because, ")");
+  });
 }
 
 void NamedAxes::require(const std::string& dataset, const std::vector<std::string>& axes) {
@@ -28,8 +25,7 @@ void NamedAxes::require(const std::string& dataset, const std::vector<std::strin
     fits = shape[i] > 0 && (known == lengths_.end() || known->second.value == shape[i]);
   }
   if (!fits) {
-    std::string found;
-    for (const std::size_t extent : shape) found += (found.empty() ? "" : " x ") + std::to_string(extent);
+    const std::string found = listed(shape, " x ", [](std::size_t extent) { return std::to_string(extent); });
     throw FileError(file_.path() + ": " + dataset + ": has shape " + (found.empty() ? "scalar" : found) +
                     ", must have " + describe(axes));
   }

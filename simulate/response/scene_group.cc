@@ -45,14 +45,6 @@ void read_positive(const Hdf5File& file, const std::string& name, double& value)
   require(value > 0, file, "attribute " + name + " must be above 0");
 }
 
-/// The value named by an attribute.
-template <class Value, std::size_t count>
-Value named(const NamedValues<Value, count>& names, const Hdf5File& file, const std::string& object,
-            const std::string& attribute) {
-  return value_named(names, file.text_attribute(object, attribute),
-                     file.path() + (object == "/" ? "" : ": " + object) + ": attribute " + attribute);
-}
-
 void require_ratios(const Hdf5File& file, const std::string& name, const Eigen::MatrixXd& ratios) {
   require(ratios.minCoeff() >= 0 && ratios.maxCoeff() <= 1, file, name + " must be within 0 .. 1");
 }
@@ -103,7 +95,7 @@ void read_casing(const Hdf5File& file, NamedAxes& axes, SimulatedScene& scene) {
     scene.node_crest = axes.read_vector(node_crest, nodes_axis);
   }
   scene.lobes = file.integer_attribute("/casing", "lobes");
-  scene.clearance_state = named(clearance_state_names, file, "/casing", "clearance_state");
+  scene.clearance_state = file.named_attribute("/casing", "clearance_state", clearance_state_names);
   constexpr double turn = 2 * std::numbers::pi, rounding = 1e-9;
   const Eigen::VectorXd& angle = scene.casing_angle;
   require(angle.size() > 1 && increases(angle) && angle[0] >= -rounding && angle.tail<1>()[0] <= turn + rounding,
@@ -215,8 +207,8 @@ SimulatedScene read_scene(const Hdf5File& file, NamedAxes& axes) {
           file, "/nodal_diameters must increase within 0 .. sector_count/2");
   scene.damping = read_damping(file, axes);
   scene.effects = read_effects(file);
-  if (file.has_attribute("/", "scheme")) scene.scheme = named(scheme_names, file, "/", "scheme");
-  if (file.has_attribute("/", "contact")) scene.contact = named(contact_rule_names, file, "/", "contact");
+  if (file.has_attribute("/", "scheme")) scene.scheme = file.named_attribute("/", "scheme", scheme_names);
+  if (file.has_attribute("/", "contact")) scene.contact = file.named_attribute("/", "contact", contact_rule_names);
   read_positive(file, "accuracy", scene.asked.critical_speeds);
   read_positive(file, "step_tolerance", scene.asked.step);
   read_positive(file, "settle_tolerance", scene.asked.settling);

@@ -63,7 +63,7 @@ void read_attribute(const Hdf5File& file, const std::string& group, const char* 
   if constexpr (std::is_same_v<Value, std::string>) {
     value = file.text_attribute(group, name);
   } else if constexpr (std::is_enum_v<Value>) {
-    value = value_named(names_of<Value>, file.text_attribute(group, name), file.path() + ": " + group + ": " + name);
+    value = file.named_attribute(group, name, names_of<Value>);
   } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
     if (file.has_attribute(group, name)) value = bounded(file, group, name, bounds);
   } else if constexpr (std::is_same_v<Value, int>) {

@@ -51,11 +51,11 @@ void read_distortion_table(CaseTable& table, Casing& casing) {
 }
 
 void read_shape(CaseTable& table, Casing& casing) {
-  casing.shape = table.choice<CasingShape>("shape", CasingShape::cosine,
-                                           {{"cosine", CasingShape::cosine},
-                                            {"bumps", CasingShape::bumps},
-                                            {"table", CasingShape::table},
-                                            {"profile", CasingShape::profile}});
+  casing.shape = table.choice("shape", CasingShape::cosine,
+                              {{CasingShape::cosine, "cosine"},
+                               {CasingShape::bumps, "bumps"},
+                               {CasingShape::table, "table"},
+                               {CasingShape::profile, "profile"}});
   casing.lobes = table.integer("lobes", 2, Range::between(1, 1000), "lobes around the casing");
   casing.unusual = table.flag("unusual", false);
   if (casing.shape == CasingShape::table) {
@@ -189,9 +189,7 @@ Casing read_casing(CaseTable& table) {
   read_shape(table, casing);
   casing.crest_angle = radians_per_degree * table.number("crest_angle_deg", 0.0, Range::between(-360, 360), "deg");
   casing.ramp_revolutions = table.number("ramp_revolutions", 3.0, {0.0, 1e6, Range::LowEnd::excluded}, "revolutions");
-  casing.clearance_state = table.choice<ClearanceState>(
-      "clearance_state", ClearanceState::running,
-      {{"cold", ClearanceState::cold}, {"running", ClearanceState::running}, {"at_speed", ClearanceState::at_speed}});
+  casing.clearance_state = table.choice("clearance_state", ClearanceState::running, clearance_state_names);
   if (casing.clearance_state == ClearanceState::at_speed)
     casing.clearance_speed =
         rad_s_per_rpm * table.number("clearance_speed_rpm", std::nullopt, Range::at_least(0), "rev/min");

@@ -16,19 +16,14 @@ namespace {
 
 constexpr double most_steps = 5e8;  // of one march
 
-std::string listed(const std::vector<int>& values) {
-  std::string text;
-  for (int value : values) text += (text.empty() ? "" : ", ") + std::to_string(value);
-  return text;
-}
-
 double rounded_up(double value, double unit) {
   return unit * std::max(1.0, std::ceil(value / unit));
 }
 
 void explain(SceneScope& scope, int sector_count, int lobes, int grid, const SimulateParameters& parameters) {
   const std::string wheel = text_of(sector_count, " sectors, ", lobes, " lobes");
-  const std::string diameters = "nodal diameters " + listed(scope.nodal_diameters);
+  const std::string diameters =
+      "nodal diameters " + listed(scope.nodal_diameters, ", ", [](int n) { return std::to_string(n); });
   if (parameters.nodal_diameters == DiameterChoice::all)
     scope.reasons.push_back(diameters + ": all, as asked for");
   else

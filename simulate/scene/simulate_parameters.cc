@@ -90,15 +90,14 @@ void read_revolutions(CaseTable& table, SimulateParameters& parameters) {
                  most("above recorded_revolutions = ", parameters.recorded_revolutions, ", which it includes"));
   parameters.settle_tolerance = table.number("settle_tolerance", parameters.accuracy / 200,
                                              {0.0, 1.0, Range::LowEnd::excluded}, "of the motion's norm");
-  parameters.steady_state =
-      table.choice<SteadyStateMethod>("steady_state", SteadyStateMethod::march,
-                                      {{"march", SteadyStateMethod::march}, {"orbit", SteadyStateMethod::orbit}});
+  parameters.steady_state = table.choice("steady_state", SteadyStateMethod::march,
+                                         {{SteadyStateMethod::march, "march"}, {SteadyStateMethod::orbit, "orbit"}});
 }
 
 void read_speed_choice(CaseTable& table, SimulateParameters& parameters) {
   parameters.speeds = read_speeds(table);
-  parameters.speed_choice = table.choice<SpeedChoice>(
-      "speeds", SpeedChoice::adaptive, {{"given", SpeedChoice::given}, {"adaptive", SpeedChoice::adaptive}});
+  parameters.speed_choice = table.choice("speeds", SpeedChoice::adaptive,
+                                         {{SpeedChoice::given, "given"}, {SpeedChoice::adaptive, "adaptive"}});
   if (parameters.speeds.size() < 2) parameters.speed_choice = SpeedChoice::given;  // nothing lies between
   parameters.scan_per_interval = table.integer("scan_per_interval", 4, Range::between(0, 1000),
                                                "scanned speeds between two, at least, if adaptive");
@@ -108,20 +107,18 @@ void read_speed_choice(CaseTable& table, SimulateParameters& parameters) {
   parameters.peak_prominence =
       table.number("peak_prominence", 0.1, {0, 1, Range::LowEnd::excluded}, "of a peak's own height");
   parameters.examination =
-      table.choice<Examination>("examine", Examination::critical_speeds,
-                                {{"critical_speeds", Examination::critical_speeds}, {"none", Examination::none}});
+      table.choice("examine", Examination::critical_speeds,
+                   {{Examination::critical_speeds, "critical_speeds"}, {Examination::none, "none"}});
 }
 
 void read_budget(CaseTable& table, SimulateParameters& parameters) {
-  parameters.physics =
-      table.choice<PhysicsChoice>("physics", PhysicsChoice::as_given,
-                                  {{"as_given", PhysicsChoice::as_given}, {"as_needed", PhysicsChoice::as_needed}});
+  parameters.physics = table.choice("physics", PhysicsChoice::as_given,
+                                    {{PhysicsChoice::as_given, "as_given"}, {PhysicsChoice::as_needed, "as_needed"}});
   const bool decides = parameters.physics == PhysicsChoice::as_needed;
-  parameters.budget =
-      table.choice<BudgetChoice>("budget", decides ? BudgetChoice::critical_speeds : BudgetChoice::none,
-                                 {{"none", BudgetChoice::none},
-                                  {"largest", BudgetChoice::largest},
-                                  {"critical_speeds", BudgetChoice::critical_speeds}});
+  parameters.budget = table.choice("budget", decides ? BudgetChoice::critical_speeds : BudgetChoice::none,
+                                   {{BudgetChoice::none, "none"},
+                                    {BudgetChoice::largest, "largest"},
+                                    {BudgetChoice::critical_speeds, "critical_speeds"}});
   if (parameters.budget == BudgetChoice::none) {
     for (const char* key : {"budget_friction", "budget_damping", "budget_clearance", "budget_model"})
       table.only_with(key, "budget = \"critical_speeds\" or \"largest\"");
@@ -174,33 +171,26 @@ void require_that_orbits_can_be_found(const CaseTable& table, const SimulatePara
 }
 
 void read_branches(CaseTable& table, SimulateParameters& parameters) {
-  parameters.branches = table.choice<BranchChoice>("branches", BranchChoice::none,
-                                                   {{"none", BranchChoice::none},
-                                                    {"critical_speeds", BranchChoice::critical_speeds},
-                                                    {"speeds", BranchChoice::speeds}});
+  parameters.branches = table.choice("branches", BranchChoice::none,
+                                     {{BranchChoice::none, "none"},
+                                      {BranchChoice::critical_speeds, "critical_speeds"},
+                                      {BranchChoice::speeds, "speeds"}});
   parameters.branch_range =
       table.number("branch_range", 0.03, {0, 0.5, Range::LowEnd::excluded}, "of a speed, to either side");
   parameters.branch_steps = table.integer("branch_steps", 60, Range::between(1, 10000), "to either side, at most");
 }
 
 void read_scheme(CaseTable& table, SimulateParameters& parameters) {
-  parameters.scheme = table.choice<Scheme>("scheme", Scheme::trigonometric,
-                                           {{"trigonometric", Scheme::trigonometric},
-                                            {"central_differences", Scheme::central_differences},
-                                            {"residual_flexibility", Scheme::residual_flexibility},
-                                            {"moreau_jean", Scheme::moreau_jean},
-                                            {"penalty", Scheme::penalty}});
-  parameters.contact =
-      table.choice<ContactRule>("contact", ContactRule::complementarity,
-                                {{"complementarity", ContactRule::complementarity}, {"paper", ContactRule::paper}});
+  parameters.scheme = table.choice("scheme", Scheme::trigonometric, scheme_names);
+  parameters.contact = table.choice("contact", ContactRule::complementarity, contact_rule_names);
   if (parameters.contact == ContactRule::paper && parameters.scheme != Scheme::central_differences)
     table.reject("contact",
                  "= \"paper\" holds only with scheme = \"central_differences\": with the larger steps of the "
                  "trigonometric scheme its pulling forces grow without bound; set that scheme, or contact = "
                  "\"complementarity\"");
-  parameters.gap = table.choice<GapOrder>(
+  parameters.gap = table.choice(
       "gap", GapOrder::automatic,
-      {{"automatic", GapOrder::automatic}, {"linear", GapOrder::linear}, {"second_order", GapOrder::second_order}});
+      {{GapOrder::automatic, "automatic"}, {GapOrder::linear, "linear"}, {GapOrder::second_order, "second_order"}});
   if (parameters.scheme == Scheme::moreau_jean)
     parameters.theta = table.number("moreau_jean_theta", 0.5, Range::between(0.5, 1), "1/2 conserves, more damps");
   else
@@ -236,9 +226,8 @@ SimulateParameters read_simulate_parameters(CaseTable& table) {
   read_budget(table, parameters);
   read_scheme(table, parameters);
   read_damping_and_band(table, parameters);
-  parameters.nodal_diameters =
-      table.choice<DiameterChoice>("nodal_diameters", DiameterChoice::symmetric,
-                                   {{"symmetric", DiameterChoice::symmetric}, {"all", DiameterChoice::all}});
+  parameters.nodal_diameters = table.choice("nodal_diameters", DiameterChoice::symmetric,
+                                            {{DiameterChoice::symmetric, "symmetric"}, {DiameterChoice::all, "all"}});
   parameters.step_tolerance =
       table.number("step_tolerance", parameters.accuracy / 4, Range::between(1e-7, 0.5), "of the settled motion");
   parameters.steps_per_period = table.number("steps_per_period", steps_for(parameters.step_tolerance),
@@ -253,15 +242,15 @@ SimulateParameters read_simulate_parameters(CaseTable& table) {
   require_that_orbits_can_be_found(table, parameters);
   parameters.casing_areas = table.integer("casing_areas", 200, Range::between(1, 100000), "around the casing");
   parameters.threads = table.integer("threads", 0, Range::between(0, 1024), "0: as many as the machine has");
-  parameters.sweep = table.choice<SweepDirection>(
-      "sweep", SweepDirection::rest,
-      {{"rest", SweepDirection::rest}, {"up", SweepDirection::up}, {"down", SweepDirection::down}});
+  parameters.sweep =
+      table.choice("sweep", SweepDirection::rest,
+                   {{SweepDirection::rest, "rest"}, {SweepDirection::up, "up"}, {SweepDirection::down, "down"}});
   require_budgets_to_decide_by(table, parameters);
   parameters.symmetry_check_revolutions =
       table.integer("symmetry_check_revolutions", 24, Range::between(0, count_max), "0: no check");
   parameters.when_symmetry_breaks =
-      table.choice<BrokenSymmetry>("when_symmetry_breaks", BrokenSymmetry::mark,
-                                   {{"mark", BrokenSymmetry::mark}, {"full_run", BrokenSymmetry::full_run}});
+      table.choice("when_symmetry_breaks", BrokenSymmetry::mark,
+                   {{BrokenSymmetry::mark, "mark"}, {BrokenSymmetry::full_run, "full_run"}});
   table.close();
   return parameters;
 }

@@ -17,7 +17,7 @@ void read_all(CaseTable& table) {
   table.integer("count", 3, Range::between(1, 9), "");
   table.flag("open", false);
   table.text("name", "none");
-  table.choice<Colour>("colour", Colour::red, {{"red", Colour::red}, {"green", Colour::green}});
+  table.choice("colour", Colour::red, {{Colour::red, "red"}, {Colour::green, "green"}});
   table.numbers("speeds", {{1.0}}, Range::at_least(0.0), "rpm");
   table.points("curve", {{{0.0, 1.0}}}, Range::positive(), "m");
   CaseTable inner = table.table("inner");
@@ -112,7 +112,7 @@ TEST_F(GoodCase, GivesItsValues) {
   EXPECT_EQ(table.integer("count", 1, Range::any(), ""), 4);
   EXPECT_TRUE(table.flag("open", false));
   EXPECT_EQ(table.text("name", std::nullopt), "x");
-  const auto colour = table.choice<Colour>("colour", std::nullopt, {{"red", Colour::red}, {"green", Colour::green}});
+  const auto colour = table.choice<Colour>("colour", std::nullopt, {{Colour::red, "red"}, {Colour::green, "green"}});
   EXPECT_EQ(colour, Colour::green);
   EXPECT_EQ(table.numbers("speeds", std::nullopt, Range::any(), "rpm"), (std::vector<double>{1.0, 2.5}));
   const auto curve = table.points("curve", std::nullopt, Range::any(), "m");

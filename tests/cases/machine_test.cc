@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <algorithm>
+#include <atomic>
 #include <fstream>
+#include <vector>
 
 #include "cases/program/errors.h"
 
@@ -66,6 +69,29 @@ TEST(Machine, RefusesALimitThatLeavesNoRoomForLibraries) {
   setrlimit(RLIMIT_AS, &before);
   EXPECT_LE(mappable, 1 << 25);
   EXPECT_EQ(message.rfind("not enough memory: about 160 MiB are needed to begin with, ", 0), 0u) << message;
+}
+
+TEST(Machine, EachNumberIsInOnePieceOfTheWork) {
+  for (const int threads : {0, 1, 3, 50})
+    for (const std::ptrdiff_t size : {0, 1, 6, 7}) {
+      std::vector<std::atomic<int>> times(static_cast<std::size_t>(size));
+      work_on_pieces(size, 3, threads, [&](std::ptrdiff_t first, std::ptrdiff_t count) {
+        EXPECT_EQ(count, std::min<std::ptrdiff_t>(3, size - first));
+        for (std::ptrdiff_t i = first; i < first + count; ++i) ++times[static_cast<std::size_t>(i)];
+      });
+      for (const std::atomic<int>& each : times) EXPECT_EQ(each, 1);
+    }
+}
+
+TEST(Machine, NoPieceIsBegunAfterAFailure) {
+  std::atomic<int> begun = 0;
+  EXPECT_THROW(work_on_pieces(100, 1, 1,
+                              [&](std::ptrdiff_t, std::ptrdiff_t) {
+                                ++begun;
+                                throw RunError("jammed");
+                              }),
+               RunError);
+  EXPECT_EQ(begun, 1);
 }
 
 TEST(Machine, HasNoKernelsToSpeakOfWithoutOpenBlas) {

@@ -86,11 +86,11 @@ def of_attributes():
     yield MODEL.entry("most_sectors", attribute("sector_count", 2e9), "/nodal_diameter/4/M: is missing")
     yield MODEL.entry("speed_backwards", attribute("speed_max", -1.0), "speed_max must be at least 0")
     yield MODEL.entry("modes_is_a_text", attribute("modes_at_speed", b"all"), "has no number attribute modes_at_speed")
-    yield MODEL.entry("contact_by_lines", attribute("contact", "lines"), "attribute `contact` is \"lines\", must be \"points\" or \"segments\"")
-    yield MODEL.entry("prestress_of_another_kind", attribute("prestress", b"cubic"), 'attribute prestress "cubic" is not known')
+    yield MODEL.entry("contact_by_lines", attribute("contact", "lines"), "attribute contact is \"lines\", must be \"points\" or \"segments\"")
+    yield MODEL.entry("prestress_of_another_kind", attribute("prestress", b"cubic"), 'attribute prestress is "cubic", must be "given", ')
     yield MODEL.entry("softening_of_another_kind", attribute("spin_softening", b"some"), 'attribute spin_softening is "some", must be "on" or "off"')
     yield MODEL.entry("effect_of_another_kind", renamed("effects/coriolis", "effects/magnetism"), "/effects/magnetism is not known")
-    yield MODEL.entry("treatment_of_another_kind", attribute("treatment", b"some", "effects/coriolis"), 'attribute treatment "some" is not known')
+    yield MODEL.entry("treatment_of_another_kind", attribute("treatment", b"some", "effects/coriolis"), 'attribute treatment is "some", must be ')
     yield MODEL.entry("prestress_is_a_number", attribute("prestress", 1), "has no text attribute prestress")
 
 

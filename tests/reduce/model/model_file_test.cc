@@ -99,7 +99,7 @@ TEST_F(ModelFile, SaysWhatItsContactUnknownsAre) {
               write_one_mass(file);
               file.set_attribute("/", "contact", std::string("lines"));
             }),
-            path().string() + ": attribute `contact` is \"lines\", must be \"points\" or \"segments\"");
+            path().string() + ": attribute contact is \"lines\", must be \"points\" or \"segments\"");
 }
 
 TEST_F(ModelFile, SaysWhichNodesStandOnTheSplitter) {

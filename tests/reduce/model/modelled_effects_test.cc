@@ -58,8 +58,10 @@ TEST_F(ModelledEffects, AreRefusedWhereTheyAreWrong) {
   EXPECT_EQ(complaint(coriolis, "size", -0.5), file + "/effects/coriolis: attribute size must be at least 0");
   EXPECT_EQ(complaint(coriolis, "unit", std::string("m")),
             file + "/effects/coriolis: attribute unit is \"m\", must be \"1\"");
-  EXPECT_EQ(complaint(coriolis, "treatment", std::string("some")),
-            file + "/effects/coriolis: attribute treatment \"some\" is not known");
+  EXPECT_EQ(
+      complaint(coriolis, "treatment", std::string("some")),
+      file +
+          "/effects/coriolis: attribute treatment is \"some\", must be \"modelled\", \"simplified\" or \"left out\"");
   EXPECT_EQ(complaint("/effects/magnetism", "treatment", std::string("modelled")),
             file + "/effects/magnetism is not known");
 }

@@ -4,7 +4,6 @@
 #include <cblas.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <future>
 #include <utility>
 

@@ -5,7 +5,6 @@
 #include <functional>
 #include <iomanip>
 #include <limits>
-#include <numbers>
 #include <ostream>
 #include <regex>
 #include <set>

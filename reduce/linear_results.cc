@@ -2,11 +2,8 @@
 #include "reduce/linear_results.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iomanip>
-#include <numbers>
 #include <numeric>
-#include <optional>
 #include <ostream>
 #include <utility>
 

@@ -2,7 +2,6 @@
 // Nastran's bulk data: free, small and large fields. Properties become cell sets "PID 3", constraints and sets of the
 // case control node sets "SPC 1", "SET 1".
 #include <algorithm>
-#include <array>
 #include <map>
 #include <set>
 

@@ -2,7 +2,6 @@
 #include "mesh/import/cell_mesh.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <set>
 
 #include "cases/program/errors.h"

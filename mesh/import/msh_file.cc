@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // gmsh's own format: cells of all volumes, each once, and the named physical groups.
-#include <algorithm>
 #include <map>
-#include <optional>
 #include <set>
 
 #include "cases/program/errors.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/import/sector_import.h"
 
-#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <functional>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // I-deas' universal file: nodes (2411), elements (2412), permanent groups (2435, 2452, 2467, 2477).
-#include <algorithm>
 #include <map>
 #include <set>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <numbers>
 
 #include "cases/program/units.h"
 #include "mesh/curves/smooth_table.h"

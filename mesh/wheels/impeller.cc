@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "cases/program/units.h"
 #include "mesh/wheels/wheel.h"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 
 #include "cases/program/text.h"
 #include "mesh/curves/smooth_table.h"

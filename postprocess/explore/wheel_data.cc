@@ -2,7 +2,6 @@
 #include "postprocess/explore/page_data.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <set>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/fields/field_recovery.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>

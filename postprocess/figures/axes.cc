@@ -2,7 +2,6 @@
 #include "postprocess/figures/axes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "postprocess/tables/table.h"

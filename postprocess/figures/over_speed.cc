@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Amplitudes over speed: the response, sweeps and branches, trackings.
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "postprocess/analysis/interaction_map.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 #include <random>
-#include <string>
 
 #include "cases/program/errors.h"
 #include "cases/program/text.h"

@@ -3,9 +3,7 @@
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
-#include <array>
 #include <filesystem>
-#include <string>
 #include <vector>
 
 namespace tiprub::reduce {

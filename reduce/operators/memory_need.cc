@@ -11,7 +11,6 @@
 #include <limits>
 #include <string>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 #include "cases/program/errors.h"

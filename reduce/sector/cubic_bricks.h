@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <vector>
 
 #include "reduce/sector/sector_mesh.h"
 

@@ -5,9 +5,7 @@
 #include <signal.h>
 
 #include <algorithm>
-#include <cmath>
 #include <new>
-#include <string>
 
 #include "cases/program/errors.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/branches/orbit_family.h"
 
-#include <cmath>
 #include <cstdint>
 
 #include "reduce/model/dense_eigen.h"

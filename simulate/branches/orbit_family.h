@@ -5,7 +5,6 @@
 #include <deque>
 #include <memory>
 #include <utility>
-#include <vector>
 
 #include "simulate/march/marched_scene.h"
 #include "simulate/periodic/periodic_map.h"

@@ -20,6 +20,12 @@ constexpr double inverse_rounding = 1e-13;  // of the deepest gap of the closed 
 constexpr int active_set_rounds = 25;
 constexpr int least_index_rounds = 200;  // a node
 
+NoMotion indefinite(const std::string& what, const ContactCompliance& compliance) {
+  return NoMotion(what + " is not positive definite: nodes lie too close together, or modes are too few" +
+                  (compliance.has_friction() ? ", or there is too much friction" : "") +
+                  (compliance.is_curved() ? ", or the casing is too steep for a gap of second order" : ""));
+}
+
 }  // namespace
 
 ClosedInverse::ClosedInverse(const double* compliance, std::size_t stride, double diagonal_shift)
@@ -133,9 +139,7 @@ void ContactImpulses::factorize() {
     values[column] *= 1 + diagonal_shift;
   }
   if (!kernels::factorize(factor(), size, !compliance_->has_friction()))
-    throw NoMotion("the contact compliance of " + std::to_string(size) +
-                   " closed nodes is not positive definite: nodes lie too close together, modes are too few, or "
-                   "there is too much friction");
+    throw indefinite("the contact compliance of " + std::to_string(size) + " closed nodes", *compliance_);
   factorized_ = closed_;
   ++factorizations_;
 }
@@ -230,7 +234,7 @@ void ContactImpulses::settle_least_index(double tolerance) {
     else
       closed_.insert(place, wrong);
   }
-  throw NoMotion("the contact problem of a step has no solution: the contact compliance is not positive definite");
+  throw indefinite("the contact problem of a step has no solution: the contact compliance", *compliance_);
 }
 
 void ContactImpulses::solve(Eigen::Ref<Eigen::VectorXd> gap) {

@@ -2,7 +2,6 @@
 #include "simulate/march/modal_waves.h"
 
 #include <algorithm>
-#include <cmath>
 #include <complex>
 
 #include "simulate/march/wave_kernels.h"

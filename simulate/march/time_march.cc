@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/march/time_march.h"
 
-#include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <iterator>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 #include "cases/program/text.h"

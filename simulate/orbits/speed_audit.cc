@@ -2,7 +2,6 @@
 #include "simulate/orbits/speed_audit.h"
 
 #include <algorithm>
-#include <cmath>
 #include <complex>
 #include <limits>
 #include <numbers>

@@ -8,10 +8,8 @@
 #include <boost/math/interpolators/pchip.hpp>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <utility>
 
-#include "cases/program/errors.h"
 #include "cases/program/text.h"
 #include "cases/program/text_file.h"
 #include "cases/program/units.h"

@@ -6,10 +6,8 @@
 #include <exception>
 #include <functional>
 #include <iomanip>
-#include <limits>
 #include <map>
 #include <mutex>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <thread>

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iomanip>
+#include <iostream>
 #include <map>
 #include <set>
 #include <string>
@@ -52,7 +53,12 @@ void add_faces(const SectorMesh& mesh, const std::vector<int>& set, int group, s
 
 int main(int argc, char** argv) {
   if (argc != 4) return 2;
-  const SectorMesh mesh = test::split(read_sector_mesh(argv[1], 1e-6), kinds.at(argv[2]));
+  const SectorMesh bricks = read_sector_mesh(argv[1], 1e-6);
+  if (bricks.cells.rows() != 27) {
+    std::cerr << argv[1] << ": must be of 27-node bricks; mesh it with mesh.element=\"hex27\"\n";
+    return 2;
+  }
+  const SectorMesh mesh = test::split(bricks, kinds.at(argv[2]));
   std::vector<Element> elements;
   for (int cell = 0; cell < mesh.cell_count(); ++cell) {
     const auto nodes = nodes_of(mesh.cells, cell);

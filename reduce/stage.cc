@@ -217,8 +217,7 @@ ReducedModel run(const StageArguments& arguments, const Inputs& inputs, const Re
 /// The lowest frequency of the unreduced sector and its mass, in which a user recognises a wrong unit.
 std::string units_in_words(const ReducedModel& model, const ReductionReport& report) {
   const std::vector<Eigen::MatrixXd>& frequencies = model.verification.unreduced;
-  const auto lowest = std::min_element(frequencies.begin(), frequencies.end(),
-                                       [](const auto& a, const auto& b) { return a(0, 0) < b(0, 0); });
+  const auto lowest = std::ranges::min_element(frequencies, {}, [](const auto& table) { return table(0, 0); });
   const double speed = model.verification.speeds[0];
   return "; the lowest frequency is " + to_digits((*lowest)(0, 0)) + " Hz " +
          (speed > 0 ? "at " + to_digits(speed * rpm_per_rad_s) + " rpm" : "at rest") + " (nodal diameter " +

@@ -261,7 +261,7 @@ std::string CaseTable::choose(std::string_view key, std::optional<std::string> f
   std::string value = std::move(fallback).value_or("");
   if (node != nullptr) {
     value = node->value<std::string>().value_or("");
-    if (!node->is_string() || std::find(names.begin(), names.end(), value) == names.end())
+    if (!node->is_string() || std::ranges::find(names, value) == names.end())
       node_->refuse(*node, key,
                     (node->is_string() ? " = \"" + value + "\"" : "") + " must be one of: " + listed(names, ", "));
   }
@@ -343,7 +343,7 @@ CaseFile::CaseFile(const std::filesystem::path& path, const std::vector<std::str
   }
   root_->values = std::make_shared<const toml::table>(std::move(values));
   for (const auto& [key, value] : *root_->values) {
-    const bool is_table = std::find(program_tables.begin(), program_tables.end(), key.str()) != program_tables.end();
+    const bool is_table = std::ranges::find(program_tables, key.str()) != program_tables.end();
     if (is_table ? value.is_table() : (key.str() == "title" && value.is_string())) continue;
     throw InputError(root_->where(&value) + "\"" + std::string(key.str()) +
                      "\" is not known here; known: title (a text), and the tables " + listed(program_tables, ", "));

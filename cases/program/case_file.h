@@ -149,7 +149,7 @@ Value CaseTable::chosen(std::string_view key, std::optional<Value> fallback, con
     if (fallback && *fallback == value) fallback_name = name;
   }
   const std::string name = choose(key, fallback_name, known);
-  return names.begin()[std::find(known.begin(), known.end(), name) - known.begin()].first;
+  return names.begin()[std::ranges::find(known, name) - known.begin()].first;
 }
 
 /// Raises InputError at a key whose value is possible, but outside of what is usual for matter and machines: such

@@ -35,7 +35,7 @@ bool is_table_key(const std::string& key) {
   if (key.empty() || !in_word(key.front()) || !in_word(key.back()) || key.find('.') == std::string::npos)
     return false;
   if (key.find("..") != std::string::npos) return false;
-  return std::all_of(key.begin(), key.end(), [&](char letter) { return letter == '.' || in_word(letter); });
+  return std::ranges::all_of(key, [&](char letter) { return letter == '.' || in_word(letter); });
 }
 
 /// Removes the key from its table. Raises InputError if it is not there.

@@ -44,7 +44,7 @@ bool is_hdf5(const std::filesystem::path& path) {
 
 std::string place_in(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, offset);
-  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const auto line = 1 + std::ranges::count(before, '\n');
   const std::size_t start = before.find_last_of('\n') + 1;  // npos + 1 is 0
   return ":" + std::to_string(line) + ":" + std::to_string(offset - start + 1) + ": ";
 }

@@ -67,7 +67,7 @@ MadeOtherwise made_otherwise(const std::string& file, const std::string& made_wi
   MadeOtherwise otherwise;
   for (const auto& [key, in_file, in_case] : differing_keys(made_with, case_text)) {
     const auto is_of = [&name = key](std::string_view table) { return name.starts_with(table); };
-    if (!in_file || !in_case || std::none_of(tables.begin(), tables.end(), is_of)) continue;
+    if (!in_file || !in_case || std::ranges::none_of(tables, is_of)) continue;
     otherwise.lines += "\n" + file + " was made with " + key + " = " + *in_file + ", and the case has " + *in_case +
                        "; " + consequence;
     otherwise.keys.emplace(key, *in_file);

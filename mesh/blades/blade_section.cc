@@ -48,7 +48,7 @@ std::vector<double> fractions_of_length(const BladeSection& section) {
 
 MeridionalPoint mid_chord(const BladeSection& section) {
   const std::vector<double> fractions = fractions_of_length(section);
-  const auto after = std::upper_bound(fractions.begin(), fractions.end(), 0.5) - fractions.begin();
+  const auto after = std::ranges::upper_bound(fractions, 0.5) - fractions.begin();
   const double t = (0.5 - fractions[after - 1]) / (fractions[after] - fractions[after - 1]);
   return (1.0 - t) * section[after - 1].at + t * section[after].at;
 }
@@ -81,7 +81,7 @@ BladeSection upright_section(const NamedText& file, int line, BladeSection secti
   const auto thinner = [](const BladePoint& a, const BladePoint& b) {
     return std::abs(a.half_width) < std::abs(b.half_width);
   };
-  const double widest = std::max_element(section.begin(), section.end(), thinner)->half_width;  // either sign
+  const double widest = std::ranges::max_element(section, thinner)->half_width;  // either sign
   if (widest == 0.0) refuse_line(file, line, "the section that begins here has no thickness");
   const double least = least_step * length_of(section);
   for (std::size_t i = 0; i < section.size(); ++i) {

@@ -98,7 +98,7 @@ BladePoint meanline_point(const NamedText& file, const NumberLine& line, double 
 // At either end one point without thickness is kept: it is a sharp edge.
 void leave_out_what_is_no_blade(BladeSection& points) {
   const auto thick = [](const BladePoint& point) { return point.half_width > 0.0; };
-  const auto first = std::find_if(points.begin(), points.end(), thick);
+  const auto first = std::ranges::find_if(points, thick);
   const auto last = std::find_if(points.rbegin(), points.rend(), thick).base();
   if (first == points.end()) return;
   const auto from = first == points.begin() ? first : first - 1;

@@ -180,7 +180,7 @@ int CellKind::middle_of(int corner, int other) const {
   const auto joins = [&](const std::array<int, 2>& edge) {
     return (edge[0] == corner && edge[1] == other) || (edge[0] == other && edge[1] == corner);
   };
-  return corners + static_cast<int>(std::find_if(edges.begin(), edges.end(), joins) - edges.begin());
+  return corners + static_cast<int>(std::ranges::find_if(edges, joins) - edges.begin());
 }
 
 Eigen::VectorXd CellKind::shape(const Eigen::Vector3d& at) const {
@@ -204,8 +204,7 @@ const std::vector<CellKind>& all_cell_kinds() {
 }
 
 bool is_cell_kind(int nodes) {
-  return std::any_of(all_cell_kinds().begin(), all_cell_kinds().end(),
-                     [&](const CellKind& kind) { return kind.nodes() == nodes; });
+  return std::ranges::any_of(all_cell_kinds(), [&](const CellKind& kind) { return kind.nodes() == nodes; });
 }
 
 const CellKind& cell_kind(int nodes) {

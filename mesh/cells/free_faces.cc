@@ -45,7 +45,7 @@ std::vector<FreeFace> free_faces(const Eigen::Matrix3Xd& nodes, const std::vecto
       face.cell = static_cast<int>(c);
       for (const int corner : around) face.nodes.push_back(cell[corner]);
       std::vector<int> key = face.nodes;
-      std::sort(key.begin(), key.end());
+      std::ranges::sort(key);
       for (std::size_t k = 0; k < around.size(); ++k)
         face.nodes.push_back(cell[kind.middle_of(around[k], around[(k + 1) % around.size()])]);
       ++faces.try_emplace(key, face, 0).first->second.second;
@@ -93,7 +93,7 @@ std::array<int, 2> equal_cells(const std::vector<std::vector<int>>& cells) {
   std::map<std::vector<int>, int> seen;
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
     std::vector<int> nodes = cells[cell];
-    std::sort(nodes.begin(), nodes.end());
+    std::ranges::sort(nodes);
     const auto [at, is_new] = seen.emplace(std::move(nodes), static_cast<int>(cell));
     if (!is_new) return {at->second, static_cast<int>(cell)};
   }
@@ -134,7 +134,7 @@ std::string wrong_parts(const Eigen::MatrixXi& cells, const NamedLists& parts, c
     std::set<int> nodes;
     for (const int cell : parts.at(part))
       for (const int node : nodes_of(cells, cell)) nodes.insert(node);
-    const auto outside = std::count_if(tip.begin(), tip.end(), [&](int node) { return !nodes.contains(node); });
+    const auto outside = std::ranges::count_if(tip, [&](int node) { return !nodes.contains(node); });
     if (outside > 0)
       return quoted(part) + " does not hold " + std::to_string(outside) + " of the " + std::to_string(tip.size()) +
              " nodes of its tip line: are two parts exchanged?";
@@ -143,8 +143,8 @@ std::string wrong_parts(const Eigen::MatrixXi& cells, const NamedLists& parts, c
 }
 
 int listed_twice(std::vector<int> list) {
-  std::sort(list.begin(), list.end());
-  const auto twice = std::adjacent_find(list.begin(), list.end());
+  std::ranges::sort(list);
+  const auto twice = std::ranges::adjacent_find(list);
   return twice == list.end() ? -1 : *twice;
 }
 

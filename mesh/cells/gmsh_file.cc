@@ -215,7 +215,7 @@ std::vector<GmshElements> GmshFile::group(int dimension, const std::string& name
     for (std::size_t i = 0; i < from.tags.size(); ++i) {
       const auto first = from.nodes.begin() + width * static_cast<std::ptrdiff_t>(i);
       std::vector<std::size_t> nodes(first, first + width);
-      std::sort(nodes.begin(), nodes.end());
+      std::ranges::sort(nodes);
       if (!known.insert(nodes).second) continue;
       once.tags.push_back(from.tags[i]);
       once.nodes.insert(once.nodes.end(), first, first + width);

@@ -33,9 +33,7 @@ SmoothTable::SmoothTable(std::vector<std::array<double, 2>> points)
 double SmoothTable::at(double x) const {
   if (x <= first_x()) return points_.front()[1];
   if (x >= last_x()) return points_.back()[1];
-  const auto right =
-      std::upper_bound(points_.begin(), points_.end(), x,
-                       [](double value, const std::array<double, 2>& point) { return value < point[0]; });
+  const auto right = std::ranges::upper_bound(points_, x, {}, [](const auto& point) { return point[0]; });
   const std::size_t i = static_cast<std::size_t>(right - points_.begin()) - 1;
   const double width = points_[i + 1][0] - points_[i][0];
   const double t = (x - points_[i][0]) / width;

@@ -213,7 +213,7 @@ class BdfReader : MeshReader {
     std::vector<std::string> words;
     for (const std::string_view part : comma_fields(std::string_view(all).substr(equals + 1)))
       for (const std::string_view word : words_of(part)) words.emplace_back(word);
-    if (!std::all_of(words.begin(), words.end(), is_word_of_numbers)) return;
+    if (!std::ranges::all_of(words, is_word_of_numbers)) return;
     add_set(upper(trimmed(std::string_view(all).substr(0, equals))), words, 0);
   }
 };

@@ -46,7 +46,7 @@ class CdbReader : MeshReader {
         "EMORE", "EMID", "EGEN", "ENGEN", "ESYM",   "ENSYM",  "EMODIF", "EDELE",    "VMESH",  "VSWEEP"};
     static const std::set<std::string> readers = {"/INPUT", "CDREAD", "NREAD", "EREAD", "UPGEOM"};
     if (readers.contains(name)) refuse_other_file(name);
-    if (rules.contains(name) && std::find(words.begin(), words.end(), "-1") == words.end()) refuse_rule(name);
+    if (rules.contains(name) && std::ranges::find(words, "-1") == words.end()) refuse_rule(name);
   }
 
   /// NBLOCK takes places in the active system. These commands define a system and activate it, but not where CDWRITE
@@ -124,7 +124,7 @@ class CdbReader : MeshReader {
 
   void read_elements(const std::vector<std::string_view>& words) {
     constexpr std::size_t head = 11, count_at = 8, number_at = 10, type_at = 1;
-    if (std::none_of(words.begin(), words.end(), [](std::string_view word) { return upper(word) == "SOLID"; }))
+    if (std::ranges::none_of(words, [](std::string_view word) { return upper(word) == "SOLID"; }))
       lines_.refuse("EBLOCK without SOLID isn't known; write it by CDWRITE,DB");
     const Columns columns = read_columns();
     while (const auto line = lines_.next()) {

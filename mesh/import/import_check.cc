@@ -38,15 +38,14 @@ int faces_beyond(const CellMesh& mesh, const std::vector<int>& faces, const std:
   constexpr double round_edge = 0.05, of_a_face = 0.5;
   const Eigen::Vector3d end = mesh.nodes.col(line[0]), outward = (end - mesh.nodes.col(line[1])).normalized();
   const double length = (end - mesh.nodes.col(line.back())).norm();
-  return static_cast<int>(std::count_if(faces.begin(), faces.end(), [&](int number) {
+  return static_cast<int>(std::ranges::count_if(faces, [&](int number) {
     const FreeFace& face = mesh.faces[number];
     std::vector<double> reach;
     for (std::size_t k = 0; k < face.corners(); ++k)
       reach.push_back(outward.dot(mesh.nodes.col(face.nodes[k]) - end));
-    const auto [low, high] = std::minmax_element(reach.begin(), reach.end());
+    const auto [low, high] = std::ranges::minmax_element(reach);
     const auto distance = [&](int node) { return (mesh.nodes.col(node) - mesh.nodes.col(face.nodes[0])).norm(); };
-    const bool at_end =
-        std::all_of(line.begin(), line.end(), [&](int node) { return distance(node) >= distance(line[0]); });
+    const bool at_end = std::ranges::all_of(line, [&](int node) { return distance(node) >= distance(line[0]); });
     return at_end && *low > of_a_face * (*high - *low) && *low > round_edge * length;
   }));
 }
@@ -65,7 +64,7 @@ double share_beyond(const CellMesh& mesh, const std::vector<int>& faces, const s
   for (const int number : faces) {
     const Eigen::Vector2d at = meridional(centre(mesh, mesh.faces[number]));
     const auto nearer = [&](const auto& a, const auto& b) { return (a - at).norm() < (b - at).norm(); };
-    const auto nearest = std::min_element(way.begin(), way.end(), nearer);
+    const auto nearest = std::ranges::min_element(way, nearer);
     const auto is_beyond = [&](const Eigen::Vector2d& end, const Eigen::Vector2d& before) {
       return *nearest == end && (at - end).dot(end - before) > at_the_end * (end - before).squaredNorm();
     };
@@ -95,7 +94,7 @@ bool goes_round(const CellMesh& mesh) {
   std::vector<double> angles;
   for (const auto& node : mesh.nodes.colwise())
     if (node.head<2>().norm() > least) angles.push_back(std::atan2(node.y(), node.x()));
-  std::sort(angles.begin(), angles.end());
+  std::ranges::sort(angles);
   double gap = angles.front() + 2 * std::numbers::pi - angles.back();
   for (std::size_t k = 1; k < angles.size(); ++k) gap = std::max(gap, angles[k] - angles[k - 1]);
   return gap < std::numbers::pi / 2;
@@ -106,14 +105,14 @@ void require_held(const CellMesh& mesh, const PeriodicCuts& pairs, const std::ve
   std::set<int> all, held;
   for (const std::vector<int>& cell : mesh.cells) all.insert(bodies.find_set(cell.front()));
   for (const int face : clamped) held.insert(bodies.find_set(mesh.faces[face].nodes.front()));
-  const auto loose = std::find_if(all.begin(), all.end(), [&](int body) { return !held.contains(body); });
+  const auto loose = std::ranges::find_if(all, [&](int body) { return !held.contains(body); });
   if (loose == all.end()) return;
   std::vector<int> nodes;
   for (int node = 0; node < mesh.nodes.cols(); ++node)
     if (bodies.find_set(node) == *loose) nodes.push_back(node);
   const auto [low, high] = radii_of(mesh, nodes);
-  const auto cells = std::count_if(mesh.cells.begin(), mesh.cells.end(),
-                                   [&](const auto& cell) { return bodies.find_set(cell.front()) == *loose; });
+  const auto cells =
+      std::ranges::count_if(mesh.cells, [&](const auto& cell) { return bodies.find_set(cell.front()) == *loose; });
   throw InputError(
       text_of(mesh.file, ": the cells form ", all.size(), " bodies that share no node: one of ", cells,
               " cells, with r from ", low, " to ", high,
@@ -126,7 +125,7 @@ std::vector<int> off_the_cuts(const CellMesh& mesh, const PeriodicCuts& cuts, co
   std::vector<int> off, on;
   for (const int face : clamped) (cut.contains(face) ? on : off).push_back(face);
   const auto edges = faces_at_edges(mesh.faces, off);
-  const bool meant = std::any_of(on.begin(), on.end(), [&](int number) {
+  const bool meant = std::ranges::any_of(on, [&](int number) {
     const FreeFace& face = mesh.faces[number];
     int held = 0;
     for (std::size_t k = 0; k < face.corners(); ++k) held += edges.contains(face.edge(k)) ? 1 : 0;
@@ -181,7 +180,7 @@ void require_along_tip(const CellMesh& mesh, const std::vector<int>& faces, cons
   const char* whole = "; the line must run from the leading to the trailing edge";
   std::set<int> nodes;
   for (const int face : faces) nodes.insert(mesh.faces[face].nodes.begin(), mesh.faces[face].nodes.end());
-  const auto off = std::count_if(line.begin(), line.end(), [&](int node) { return !nodes.contains(node); });
+  const auto off = std::ranges::count_if(line, [&](int node) { return !nodes.contains(node); });
   const std::string keys = mesh.file + ": [mesh] " + line_key + " and " + faces_key;
   if (off > 0)
     throw InputError(text_of(keys, " don't belong together: ", off, " of the ", line.size(), " nodes of ", line_key,

@@ -64,7 +64,7 @@ constexpr Prefixes masses_and_connectors = {"MASS",    "ROTARYI", "SPRING", "DAS
                                             "CONN2D2", "CONN3D2", "DCOUP",  "GAP"};
 
 bool starts_with_any(const std::string& type, const Prefixes& prefixes) {
-  return std::any_of(prefixes.begin(), prefixes.end(), [&](const char* prefix) { return type.starts_with(prefix); });
+  return std::ranges::any_of(prefixes, [&](const char* prefix) { return type.starts_with(prefix); });
 }
 
 class InpReader : MeshReader {

@@ -200,7 +200,7 @@ void require_whole(const CellMesh& mesh, const PeriodicCuts& cuts) {
   paired.insert(cuts.high.begin(), cuts.high.end());
   for (const std::vector<int>* cut : {&cuts.low, &cuts.high}) {
     const std::vector<int> patch = surface_patch(mesh.faces, *cut);
-    const auto alone = std::count_if(patch.begin(), patch.end(), [&](int face) { return !paired.contains(face); });
+    const auto alone = std::ranges::count_if(patch, [&](int face) { return !paired.contains(face); });
     if (alone > 0) refuse_part(mesh, cuts.sector_count, cut->size(), cut->size() + static_cast<std::size_t>(alone));
   }
 }

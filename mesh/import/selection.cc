@@ -93,15 +93,20 @@ Eigen::Vector2d meridional(const CellMesh& mesh, int node) {
 
 int first_of(const CellMesh& mesh, const std::vector<int>& nodes, LeadingEdge leading) {
   const double sign = leading == LeadingEdge::low_z ? 1 : -1, same = 1e-9 * mesh.largest_radius();
-  return *std::min_element(nodes.begin(), nodes.end(), [&](int a, int b) {
+  return *std::ranges::min_element(nodes, [&](int a, int b) {
     const Eigen::Vector2d at = meridional(mesh, a), other = meridional(mesh, b);
     return std::abs(at[1] - other[1]) > same ? sign * at[1] < sign * other[1] : at[0] < other[0];
   });
 }
 
+/// [m] From one node to another in the meridional plane.
+auto distance_from(const CellMesh& mesh, int first) {
+  return [&mesh, begin = meridional(mesh, first)](int node) { return (meridional(mesh, node) - begin).norm(); };
+}
+
 /// The nodes of a path that lie farther from its first node than all before them.
 std::vector<int> advancing(const CellMesh& mesh, const std::vector<int>& way) {
-  const auto distance = [&](int node) { return (meridional(mesh, node) - meridional(mesh, way.front())).norm(); };
+  const auto distance = distance_from(mesh, way.front());
   double length = 0;
   for (const int node : way) length = std::max(length, distance(node));
   std::vector<int> kept = {way.front()};
@@ -198,25 +203,18 @@ std::vector<int> select_faces(const CellMesh& mesh, const std::string& key, cons
 }
 
 std::vector<int> ordered_line(const CellMesh& mesh, std::vector<int> nodes, LeadingEdge leading) {
-  const Eigen::Vector2d begin = meridional(mesh, first_of(mesh, nodes, leading));
-  std::stable_sort(nodes.begin(), nodes.end(), [&](int a, int b) {
-    return (meridional(mesh, a) - begin).norm() < (meridional(mesh, b) - begin).norm();
-  });
+  std::ranges::stable_sort(nodes, {}, distance_from(mesh, first_of(mesh, nodes, leading)));
   return advancing(mesh, nodes);
 }
 
 std::vector<int> line_along_tip(const CellMesh& mesh, const std::vector<int>& faces, const std::string& key,
                                 LeadingEdge leading) {
   std::vector<int> loop = loop_round(mesh, faces, key);
-  std::rotate(loop.begin(), std::find(loop.begin(), loop.end(), first_of(mesh, loop, leading)), loop.end());
-  const auto farther = [&](int a, int b) {
-    const Eigen::Vector2d begin = meridional(mesh, loop.front());
-    return (meridional(mesh, a) - begin).norm() < (meridional(mesh, b) - begin).norm();
-  };
-  const auto last = std::max_element(loop.begin(), loop.end(), farther);
+  std::rotate(loop.begin(), std::ranges::find(loop, first_of(mesh, loop, leading)), loop.end());
+  const auto last = std::ranges::max_element(loop, {}, distance_from(mesh, loop.front()));
   std::vector<int> one(loop.begin(), last + 1), other(last, loop.end());
   other.push_back(loop.front());
-  std::reverse(other.begin(), other.end());
+  std::ranges::reverse(other);
   one = advancing(mesh, along_flank(mesh, one));
   other = advancing(mesh, along_flank(mesh, other));
   return one.size() >= other.size() ? one : other;

@@ -71,7 +71,7 @@ void add_entities(const NamedMesh& mesh) {
       gmsh::model::mesh::addElementsByType(tags[e], type, {}, for_gmsh(type, nodes));
     for (const std::string& name : mesh.entities[e].groups) {
       dimension[name] = mesh.entities[e].dimension;
-      auto known = std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return group.first == name; });
+      auto known = std::ranges::find_if(groups, [&](const auto& group) { return group.first == name; });
       if (known == groups.end()) known = groups.insert(groups.end(), {name, {}});
       known->second.push_back(tags[e]);
     }

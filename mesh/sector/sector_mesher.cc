@@ -292,8 +292,7 @@ class Mesher {
 }  // namespace
 
 const SectorSurface& MeshedSector::surface(const std::string& name) const {
-  const auto found =
-      std::find_if(surfaces.begin(), surfaces.end(), [&](const SectorSurface& one) { return one.name == name; });
+  const auto found = std::ranges::find(surfaces, name, &SectorSurface::name);
   assert(found != surfaces.end());
   return *found;
 }

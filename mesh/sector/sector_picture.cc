@@ -36,7 +36,7 @@ struct Surface {
 template <class Node>
 std::vector<int> sorted_corners(const Node* first, std::size_t corners) {
   std::vector<int> key(first, first + corners);
-  std::sort(key.begin(), key.end());
+  std::ranges::sort(key);
   return key;
 }
 
@@ -64,8 +64,7 @@ Surface surface_of(const NamedMesh& mesh) {
     for (const auto& [type, nodes] : entity.elements) {
       if (entity.dimension == 1) surface.lines.emplace_back(entity.groups.front(), nodes);
       if (entity.dimension != 3) continue;
-      const auto kind = std::find_if(all_cell_kinds().begin(), all_cell_kinds().end(),
-                                     [of = type](const CellKind& one) { return one.gmsh_type == of; });
+      const auto kind = std::ranges::find(all_cell_kinds(), type, &CellKind::gmsh_type);
       const auto width = static_cast<std::ptrdiff_t>(kind->nodes());
       for (auto at = nodes.begin(); at != nodes.end(); at += width) cells.emplace_back(at, at + width);
       parts.resize(cells.size(), entity.groups.back());  // "sector" comes first
@@ -134,8 +133,7 @@ class Drawing {
     std::vector<const NamedFace*> seen;
     for (const NamedFace& face : surface_.faces)
       if (face.face.normal.dot(view_.towards) > 0) seen.push_back(&face);
-    std::stable_sort(seen.begin(), seen.end(),
-                     [&](const NamedFace* a, const NamedFace* b) { return depth(*a) < depth(*b); });
+    std::ranges::stable_sort(seen, [&](const NamedFace* a, const NamedFace* b) { return depth(*a) < depth(*b); });
     std::string text = "<g stroke=\"#333\" stroke-width=\"0.5\" stroke-linejoin=\"round\">\n";
     for (const NamedFace* face : seen) text += polygon(*face);
     text += "</g>\n<g stroke=\"#000\" stroke-width=\"3\" stroke-linecap=\"round\">\n";

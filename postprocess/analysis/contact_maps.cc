@@ -186,7 +186,7 @@ EdgeLag edge_lag(const Response& response, const ContactLine& contact) {
     y.push_back(speed.speed * lag.time[i]);
   }
   if (times.size() < fewest) return lag;
-  std::sort(times.begin(), times.end());
+  std::ranges::sort(times);
   lag.median = quantile(times, 0.5);
   lag.lower_quartile = quantile(times, 0.25);
   lag.upper_quartile = quantile(times, 0.75);

@@ -90,8 +90,8 @@ void check_together(const ReducedModel& model, const Response& response, const s
     throw InputError(name + ": was made with another model of the same size; give that one, or run tiprub-simulate");
   if (response.speeds.empty()) throw FileError(name + ": holds no speed; run tiprub-simulate");
   for (const SpeedResponse& speed : response.speeds) check_states(speed, scene.nodal_diameters, model, name);
-  const bool all_failed = std::none_of(response.speeds.begin(), response.speeds.end(),
-                                       [](const SpeedResponse& speed) { return speed.failure.empty(); });
+  const bool all_failed =
+      std::ranges::none_of(response.speeds, [](const SpeedResponse& speed) { return speed.failure.empty(); });
   if (all_failed)
     throw RunError(name + ": all " + std::to_string(response.speeds.size()) + " speeds failed; the first, " +
                    rpm_text(response.speeds.front().speed) + ", because: " + response.speeds.front().failure);

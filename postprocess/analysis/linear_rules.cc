@@ -85,8 +85,7 @@ void read_amplitudes(std::vector<Crossing>& crossings, const Response& response,
                      const std::vector<TravellingSpectrum>& waves) {
   const auto& speeds = response.speeds;
   for (Crossing& crossing : crossings) {
-    const auto above = std::lower_bound(speeds.begin(), speeds.end(), crossing.speed,
-                                        [](const SpeedResponse& a, double speed) { return a.speed < speed; });
+    const auto above = std::ranges::lower_bound(speeds, crossing.speed, {}, &SpeedResponse::speed);
     const auto high = std::min(static_cast<std::size_t>(above - speeds.begin()), speeds.size() - 1);
     const std::size_t low = high > 0 ? high - 1 : 0;
     const double span = speeds[high].speed - speeds[low].speed;
@@ -149,8 +148,8 @@ bool predicts(const Crossing& crossing, const CriticalSpeed& critical, double to
 }
 
 bool predicts(const std::vector<Crossing>& crossings, const CriticalSpeed& critical, double tolerance) {
-  return std::any_of(crossings.begin(), crossings.end(),
-                     [&](const Crossing& crossing) { return predicts(crossing, critical, tolerance); });
+  return std::ranges::any_of(crossings,
+                             [&](const Crossing& crossing) { return predicts(crossing, critical, tolerance); });
 }
 
 RuleScore score(const std::vector<Crossing>& crossings, const std::vector<int>& moving, double tolerance,
@@ -165,9 +164,9 @@ RuleScore score(const std::vector<Crossing>& crossings, const std::vector<int>& 
   }
   if (result.summed_amplitudes > 0) result.predicted_share = predicted / result.summed_amplitudes;
   for (const Crossing& crossing : crossings) {
-    if (std::find(moving.begin(), moving.end(), std::abs(crossing.signed_nodal_diameter)) == moving.end()) continue;
-    const bool met = std::any_of(critical.begin(), critical.end(),
-                                 [&](const CriticalSpeed& speed) { return predicts(crossing, speed, tolerance); });
+    if (std::ranges::find(moving, std::abs(crossing.signed_nodal_diameter)) == moving.end()) continue;
+    const bool met = std::ranges::any_of(
+        critical, [&](const CriticalSpeed& speed) { return predicts(crossing, speed, tolerance); });
     if (met) continue;
     ++result.false_alarms;
     result.summed_alarms += crossing.amplitude;

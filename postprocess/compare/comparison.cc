@@ -36,7 +36,7 @@ std::vector<PeakPair> pairs_of(const std::vector<ComparedPeak>& here, const std:
     for (std::size_t k = 0; k < there.size(); ++k)
       if (const std::pair pair{i, k}; !other_wave(pair) || apart(pair) < same_place * here[i].speed)
         candidates.push_back(pair);
-  std::stable_sort(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
+  std::ranges::stable_sort(candidates, [&](const auto& a, const auto& b) {
     return other_wave(a) != other_wave(b) ? other_wave(b) : apart(a) < apart(b);
   });
   std::vector<char> taken_here(here.size(), 0), taken_there(there.size(), 0);

@@ -32,7 +32,7 @@ std::set<int> clamp_edge(const SectorFields& sector) {
   for (const SurfaceFace& face : sector_surface(sector)) {
     if (face.side != SurfaceFace::Side::free) continue;
     const auto is_held = [&](int node) { return held.contains(node); };
-    if (std::all_of(face.nodes.begin(), face.nodes.end(), is_held)) continue;
+    if (std::ranges::all_of(face.nodes, is_held)) continue;
     std::copy_if(face.nodes.begin(), face.nodes.end(), std::inserter(edge, edge.end()), is_held);
   }
   return edge;
@@ -86,11 +86,11 @@ StressZones stress_zones(const SectorFields& sector, double width) {
       return (meridional(place) - meridional(sector.nodes.col(other))).norm() <= length;
     };
     StressZone& zone = zones.at_node.emplace_back(StressZone::body);
-    if (std::any_of(edge.begin(), edge.end(), near)) zone = StressZone::clamp_rim;
+    if (std::ranges::any_of(edge, near)) zone = StressZone::clamp_rim;
     const auto reaches = [&](const Eigen::Matrix3Xd& line) { return distance_to_line(place, line) <= length; };
-    if (std::any_of(lines.begin(), lines.end(), reaches)) zone = StressZone::tip_patch;
+    if (std::ranges::any_of(lines, reaches)) zone = StressZone::tip_patch;
   }
-  if (std::find(zones.at_node.begin(), zones.at_node.end(), StressZone::body) == zones.at_node.end())
+  if (std::ranges::find(zones.at_node, StressZone::body) == zones.at_node.end())
     throw InputError("no node is farther than " + std::to_string(length) +
                      " m from the tip line or the clamp's edge; lower [postprocess] tip_patch_mm");
   return zones;

@@ -256,7 +256,7 @@ std::string scope_of(const std::optional<FieldStudy>& fields) {
   const std::string what = "displacement and stress on the whole wheel: ";
   if (!fields) return what + "left out, no fields.h5 was given (--fields)";
   const auto is_cycle = [](const FieldPeak& peak) { return peak.cycle.has_value(); };
-  if (std::any_of(fields->peaks.begin(), fields->peaks.end(), is_cycle))
+  if (std::ranges::any_of(fields->peaks, is_cycle))
     return what + "over all recorded samples of the critical speeds, by linear elasticity";
   return what + (fields->has_instant ? "at the sample with the largest contact force, by linear elasticity; the "
                                        "response holds no whole cycle"
@@ -307,11 +307,11 @@ FieldStudy recover_fields(const FieldsReader& reader, const FieldsReader* other,
 }
 
 bool FieldResults::has_stress() const {
-  return std::any_of(peaks.begin(), peaks.end(), [](const auto& peak) { return peak.has_value(); });
+  return std::ranges::any_of(peaks, [](const auto& peak) { return peak.has_value(); });
 }
 
 bool FieldResults::has_cycles() const {
-  return std::any_of(peaks.begin(), peaks.end(), [](const auto& peak) { return peak && peak->cycle; });
+  return std::ranges::any_of(peaks, [](const auto& peak) { return peak && peak->cycle; });
 }
 
 const StressCycle* FieldResults::worst_cycle() const {

@@ -95,7 +95,7 @@ std::vector<std::size_t> disc_modes(const std::vector<ModeShares>& shares, int f
     if (sum > most) best = modes;
     most = std::max(most, sum);
   }
-  std::sort(best.begin(), best.end());
+  std::ranges::sort(best);
   return best;
 }
 

@@ -29,7 +29,7 @@ SectorFields cells_around(const SectorFields& sector, const std::vector<int>& no
   std::set<int> around;
   for (int cell = 0; cell < sector.cells.cols(); ++cell) {
     const auto of_cell = nodes_of(sector.cells, cell);
-    if (std::none_of(of_cell.begin(), of_cell.end(), [&](int node) { return wanted.contains(node); })) continue;
+    if (std::ranges::none_of(of_cell, [&](int node) { return wanted.contains(node); })) continue;
     cells.push_back(cell);
     around.insert(of_cell.begin(), of_cell.end());
   }
@@ -113,7 +113,7 @@ std::vector<int> nodes_above(double least, const CycleStress& stress, const Stre
 NodeStress::NodeStress(const FieldsReader& reader, const std::vector<int>& nodes)
     : reader_(reader), part_(cells_around(reader.sector(), nodes, used_)), cells_(part_) {
   for (const int node : nodes)
-    places_.push_back(static_cast<int>(std::lower_bound(used_.begin(), used_.end(), node) - used_.begin()));
+    places_.push_back(static_cast<int>(std::ranges::lower_bound(used_, node) - used_.begin()));
 }
 
 std::vector<WaveField> NodeStress::waves(int nodal_diameter, const Eigen::MatrixXcd& basis) const {

@@ -40,7 +40,7 @@ std::string length_words(double length) {
 }  // namespace
 
 std::string spoken(std::string part) {
-  std::replace(part.begin(), part.end(), '_', ' ');
+  std::ranges::replace(part, '_', ' ');
   return part;
 }
 

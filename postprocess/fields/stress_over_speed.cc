@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <numbers>
 #include <set>
 
@@ -120,9 +121,7 @@ class SpeedStress {
  private:
   /// The most stressed first.
   static std::vector<StressWave> without_small(std::vector<StressWave> waves) {
-    std::stable_sort(waves.begin(), waves.end(), [](const StressWave& a, const StressWave& b) {
-      return a.stress.squaredNorm() > b.stress.squaredNorm();
-    });
+    std::ranges::stable_sort(waves, std::greater(), [](const auto& wave) { return wave.stress.squaredNorm(); });
     std::erase_if(waves, [least = waves.empty() ? 0 : small_stress * waves.front().stress.norm()](
                              const StressWave& wave) { return wave.stress.norm() <= least; });
     return waves;

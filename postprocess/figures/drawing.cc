@@ -186,8 +186,8 @@ class Job {
   /// gnuplot's message, on one line.
   std::string complaint(int status) const {
     std::string text = read_text(folder_ / (name_ + ".log"));
-    std::replace_if(
-        text.begin(), text.end(), [](unsigned char letter) { return std::iscntrl(letter) != 0; }, ' ');
+    std::ranges::replace_if(
+        text, [](unsigned char letter) { return std::iscntrl(letter) != 0; }, ' ');
     text.erase(0, text.find_first_not_of(' '));
     text.erase(text.find_last_not_of(' ') + 1);
     if (!text.empty()) return text;

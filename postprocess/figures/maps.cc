@@ -113,7 +113,7 @@ std::vector<ScriptTable> unusual_motion(const std::vector<SpeedResponse>& speeds
 /// The lowest of the nodal diameters that can move, as many as there is room for.
 std::vector<int> panel_nodal_diameters(std::vector<int> moving) {
   constexpr std::size_t most = 12;
-  std::sort(moving.begin(), moving.end());
+  std::ranges::sort(moving);
   if (moving.size() > most) moving.resize(most);
   return moving;
 }

@@ -137,9 +137,9 @@ std::vector<int> largest_engine_orders(const InteractionMap& map, int last, std:
   std::vector<int> orders = counted_from(1, last);
   Eigen::VectorXd largest = Eigen::VectorXd::Zero(last + 1);
   for (const int order : orders) largest[order] = nodal_diameter_tracking(map, order).curves.maxCoeff();
-  std::stable_sort(orders.begin(), orders.end(), [&](int a, int b) { return largest[a] > largest[b]; });
+  std::ranges::stable_sort(orders, [&](int a, int b) { return largest[a] > largest[b]; });
   orders.resize(std::min(count, orders.size()));
-  std::sort(orders.begin(), orders.end());
+  std::ranges::sort(orders);
   return orders;
 }
 
@@ -195,7 +195,7 @@ std::vector<int> by_energy(const InteractionMap& map) {
   const Eigen::VectorXd shares = energy_shares(map);
   std::vector<int> order(static_cast<std::size_t>(shares.size()));
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return shares[a] > shares[b]; });
+  std::ranges::stable_sort(order, [&](int a, int b) { return shares[a] > shares[b]; });
   return order;
 }
 

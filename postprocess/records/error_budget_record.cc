@@ -128,7 +128,7 @@ double stress_change(const BudgetRow& row) {
 /// The row of the sum with the largest absolute value.
 template <class Value>
 const BudgetRow& largest(const ErrorBudget& budget, Value value) {
-  return *std::max_element(budget.rows.begin(), budget.rows.end(), [&](const BudgetRow& a, const BudgetRow& b) {
+  return *std::ranges::max_element(budget.rows, [&](const BudgetRow& a, const BudgetRow& b) {
     return !a.in_sum() || (b.in_sum() && std::abs(std::invoke(value, a)) < std::abs(std::invoke(value, b)));
   });
 }

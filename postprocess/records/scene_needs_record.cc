@@ -299,7 +299,7 @@ std::string name_of(NeedVerdict verdict) {
 }
 
 Table scene_needs_record(std::vector<SceneNeed> needs) {
-  std::stable_sort(needs.begin(), needs.end(), comes_first);
+  std::ranges::stable_sort(needs, comes_first);
   return table_of<SceneNeed>(
       {{"effect", [](const SceneNeed& need) { return name_with_unit(need.effect.effect); }},
        {"size over tolerance [1]",

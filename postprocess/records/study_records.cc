@@ -121,7 +121,7 @@ void append_crossing(Table& table, const Study& study, const Crossing& crossing,
   const int sectors = study.model.sector_count;
   const bool can_move =
       std::ranges::count(study.response.scene.nodal_diameters, std::abs(crossing.signed_nodal_diameter)) > 0;
-  const bool met = std::any_of(study.critical.begin(), study.critical.end(), [&](const CriticalSpeed& critical) {
+  const bool met = std::ranges::any_of(study.critical, [&](const CriticalSpeed& critical) {
     return predicts(crossing, critical, study.parameters.prediction_tolerance);
   });
   table.rows.push_back({crossing.speed * rpm_per_rad_s, crossing.frequency, crossing.engine_order,

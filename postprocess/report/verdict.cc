@@ -291,7 +291,7 @@ std::string march_text(const SimulatedScene& scene) {
   std::string text =
       std::string(name_in(scheme_names, *scene.scheme)) + " scheme, contact by " +
       (*scene.contact == ContactRule::paper ? "the paper's rule" : name_in(contact_rule_names, *scene.contact));
-  std::replace(text.begin(), text.end(), '_', ' ');
+  std::ranges::replace(text, '_', ' ');
   return text;
 }
 

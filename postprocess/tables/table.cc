@@ -61,8 +61,7 @@ void require_finite(const Table& table, const std::filesystem::path& path) {
 
 /// Width on a terminal: bytes that don't continue a UTF-8 letter.
 std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char letter) { return (letter & 0xC0) != 0x80; }));
+  return static_cast<std::size_t>(std::ranges::count_if(text, [](char letter) { return (letter & 0xC0) != 0x80; }));
 }
 
 }  // namespace
@@ -172,9 +171,7 @@ Cell optional_cell(const std::optional<double>& value, double factor) {
 }
 
 void sort_by_speed(Table& table) {
-  std::stable_sort(table.rows.begin(), table.rows.end(), [](const auto& a, const auto& b) {
-    return std::get<double>(a.front()) < std::get<double>(b.front());
-  });
+  std::ranges::stable_sort(table.rows, {}, [](const auto& row) { return std::get<double>(row.front()); });
 }
 
 }  // namespace tiprub::postprocess

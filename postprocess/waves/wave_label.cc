@@ -15,7 +15,7 @@ FrequencyCurves::FrequencyCurves(const FrequencyTable& table) : speeds_(table.sp
 }
 
 double FrequencyCurves::frequency(int nodal_diameter, int family, double speed) const {
-  const auto above = std::upper_bound(speeds_.begin(), speeds_.end(), speed) - speeds_.begin();
+  const auto above = std::ranges::upper_bound(speeds_, speed) - speeds_.begin();
   const auto first = std::clamp<Eigen::Index>(above - stencil / 2, 0, speeds_.size() - stencil);
   double square = 0;
   for (Eigen::Index i = first; i < first + stencil; ++i) {

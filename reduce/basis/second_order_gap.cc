@@ -23,7 +23,7 @@ std::vector<Eigen::Index> chosen_modes(const Eigen::MatrixXd& motions, const Eig
   const Eigen::VectorXd share = motions.colwise().squaredNorm().transpose().cwiseQuotient(eigenvalues);
   std::vector<Eigen::Index> order(static_cast<std::size_t>(share.size())), chosen;
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return share[a] > share[b]; });
+  std::ranges::stable_sort(order, [&](auto a, auto b) { return share[a] > share[b]; });
   Eigen::MatrixXd basis(motions.rows(), 0);
   for (const Eigen::Index mode : order) {
     if (static_cast<int>(chosen.size()) == most || share[mode] < least_share * share[order.front()]) break;

@@ -184,7 +184,7 @@ Array<double> Hdf5File::read_array(const std::string& name) const {
     array.values.resize(affordable_count(set, sizeof(double)));
     if (!array.values.empty()) read_all(set, H5T_NATIVE_DOUBLE, array.values.data());
   });
-  const auto bad = std::find_if(array.values.begin(), array.values.end(), [](double v) { return !std::isfinite(v); });
+  const auto bad = std::ranges::find_if(array.values, [](double v) { return !std::isfinite(v); });
   if (bad != array.values.end())
     fail(name, "value " + std::to_string(bad - array.values.begin()) + " (row-major, from 0) is not finite");
   return array;

@@ -78,7 +78,7 @@ void Hdf5File::Handle::write(const std::string& name, hid_t type, const Hdf5Shap
                              const std::string& unit) const {
   Hdf5Id set = make(name, type, shape,
                     storage == Storage::netcdf ? hdf5_packed_creation(type, shape) : hdf5_dataset_creation(), unit);
-  const bool empty = std::find(shape.begin(), shape.end(), 0U) != shape.end();
+  const bool empty = std::ranges::find(shape, 0U) != shape.end();
   if (!empty) hdf5_checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
   set.close();
 }
@@ -152,7 +152,7 @@ std::vector<std::string> Hdf5File::members(const std::string& group) const {
       names.emplace_back(static_cast<std::size_t>(name(nullptr, 0)), '\0');
       name(names.back().data(), names.back().size() + 1);
     }
-    std::sort(names.begin(), names.end());
+    std::ranges::sort(names);
     return names;
   });
 }

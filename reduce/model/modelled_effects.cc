@@ -58,8 +58,7 @@ constexpr NamedValues<Treatment, 3> treatment_names = {
 const std::string effects_group = "/effects";
 
 const EffectMeaning& meaning_named(const Hdf5File& file, const std::string& name) {
-  const auto* const meaning =
-      std::find_if(std::begin(meanings), std::end(meanings), [&](const EffectMeaning& m) { return name == m.name; });
+  const auto* const meaning = std::ranges::find(meanings, name, &EffectMeaning::name);
   if (meaning == std::end(meanings)) file.refuse(effects_group, "/", name, " is not known");
   return *meaning;
 }
@@ -83,8 +82,7 @@ const char* name_of(Treatment treatment) {
 }
 
 const ModelledEffect* find(const std::vector<ModelledEffect>& effects, Effect effect) {
-  const auto found =
-      std::find_if(effects.begin(), effects.end(), [&](const ModelledEffect& e) { return e.effect == effect; });
+  const auto found = std::ranges::find(effects, effect, &ModelledEffect::effect);
   return found == effects.end() ? nullptr : &*found;
 }
 
@@ -113,8 +111,7 @@ std::vector<ModelledEffect> read_effects(const Hdf5File& file) {
       file.refuse(group, ": attribute unit is \"", file.text_attribute(group, "unit"), "\", must be \"", meaning.unit,
                   "\"");
   }
-  std::sort(effects.begin(), effects.end(),
-            [](const ModelledEffect& a, const ModelledEffect& b) { return a.effect < b.effect; });
+  std::ranges::sort(effects, {}, &ModelledEffect::effect);
   return effects;
 }
 

@@ -152,9 +152,8 @@ void check_frequencies(const Eigen::MatrixXd& frequencies, const std::string& wh
 
 void check(const Verification& table, std::size_t nodal_diameters, const std::string& name) {
   const Eigen::MatrixXd& misfit = table.polynomial_misfit;
-  require(
-      table.speeds.size() == 0 || (table.speeds[0] >= 0 && std::is_sorted(table.speeds.begin(), table.speeds.end())),
-      name, ": /verification/speed must begin at 0 or above, and ascend");
+  require(table.speeds.size() == 0 || (table.speeds[0] >= 0 && std::ranges::is_sorted(table.speeds)), name,
+          ": /verification/speed must begin at 0 or above, and ascend");
   require(misfit.size() == 0 ||
               (misfit.rows() == table.speeds.size() && misfit.cols() == static_cast<Eigen::Index>(nodal_diameters)),
           name, ": /verification/polynomial_misfit is ", shape(misfit), ", must be ", table.speeds.size(), " x ",
@@ -214,8 +213,7 @@ std::vector<Compared> compared_frequencies(const ReducedModel& model, Eigen::Ind
         wheel.insert(wheel.end(), count, {exact, std::abs(verified.reduced[n](speed, mode) / exact - 1)});
     }
   }
-  std::sort(wheel.begin(), wheel.end(),
-            [](const Compared& a, const Compared& b) { return a.unreduced < b.unreduced; });
+  std::ranges::sort(wheel, {}, &Compared::unreduced);
   return wheel;
 }
 

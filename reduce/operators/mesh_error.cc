@@ -108,7 +108,7 @@ class MeshErrorEstimate::Patches {
       }
     std::set<Cells> all;
     for (auto& [corner, cells] : around) {
-      std::sort(cells.begin(), cells.end());
+      std::ranges::sort(cells);
       all.insert(cells);
     }
     return {all.begin(), all.end()};
@@ -122,8 +122,8 @@ class MeshErrorEstimate::Patches {
       Seen function = seen(dofs, first);
       function.sectors += sectors;
       const Cells& cells = around.at(function.dof);
-      const bool inside = std::all_of(cells.begin(), cells.end(), [&](const auto& cell) {
-        return std::binary_search(patch.begin(), patch.end(), std::pair(cell.first, cell.second + function.sectors));
+      const bool inside = std::ranges::all_of(cells, [&](const auto& cell) {
+        return std::ranges::binary_search(patch, std::pair(cell.first, cell.second + function.sectors));
       });
       if (inside) numbers.try_emplace(function, static_cast<Eigen::Index>(numbers.size()));
     }
@@ -201,7 +201,7 @@ MeshErrorEstimate::MeshErrorEstimate(const SectorMesh& mesh, const SectorDofs& d
                [&](int cell) { cells_[cell] = functions_.integrate(cell, dofs, material); });
   patches_ = Patches(mesh, dofs, functions_.dofs(), cells_).find(threads);
   constexpr int corners_of_brick = 8;
-  of_bricks_ = std::all_of(cells_.begin(), cells_.end(), [](const AddedCell& cell) {
+  of_bricks_ = std::ranges::all_of(cells_, [](const AddedCell& cell) {
     return cell_kind(static_cast<int>(cell.nodes.size())).corners == corners_of_brick;
   });
 }

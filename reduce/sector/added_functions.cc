@@ -90,7 +90,7 @@ Varying value_of(const CellKind& kind, const CellFunction& function, const std::
 
 void list_middles(const CellKind& kind, CellFunction& function) {
   const auto has = [](const std::vector<int>& corners, int corner) {
-    return std::find(corners.begin(), corners.end(), corner) != corners.end();
+    return std::ranges::find(corners, corner) != corners.end();
   };
   for (std::size_t e = 0; e < kind.edges.size(); ++e) {
     const auto [a, b] = kind.edges[e];
@@ -291,7 +291,7 @@ AddedFunctions::AddedFunctions(const SectorMesh& mesh)
     const auto listed = [&](const std::vector<int>& of_cell) {
       std::vector<int> found;
       for (const int k : of_cell) found.push_back(nodes[k]);
-      std::sort(found.begin(), found.end());
+      std::ranges::sort(found);
       return found;
     };
     // Of two partners on the cuts, both have the direction that the lower one has.
@@ -316,7 +316,7 @@ void AddedFunctions::number(const std::vector<std::vector<int>>& middles) {
   std::vector<bool> clamped(mesh_.node_count()), low(mesh_.node_count());
   for (const int node : mesh_.clamped) clamped[node] = true;
   for (const int node : mesh_.cyclic_low) low[node] = true;
-  const auto all = [&](int f, const auto& test) { return std::all_of(middles[f].begin(), middles[f].end(), test); };
+  const auto all = [&](int f, const auto& test) { return std::ranges::all_of(middles[f], test); };
   functions_.resize(numbers_.size());
   std::vector<int> interior, face;
   std::vector<std::pair<int, std::vector<int>>> high;  // with the key of the partner
@@ -327,7 +327,7 @@ void AddedFunctions::number(const std::vector<std::vector<int>>& middles) {
     if (all(f, [&](int node) { return lower_[node] >= 0; })) {
       std::vector<int> partner;
       for (const int node : key) partner.push_back(lower_[node]);
-      std::sort(partner.begin(), partner.end());
+      std::ranges::sort(partner);
       high.emplace_back(f, partner);
     } else {
       (all(f, [&](int node) { return low[node]; }) ? face : interior).push_back(f);

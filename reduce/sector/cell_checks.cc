@@ -27,7 +27,7 @@ struct UprightValues {
 };
 
 Key sorted(Key key) {
-  std::sort(key.begin(), key.end());
+  std::ranges::sort(key);
   return key;
 }
 

@@ -126,7 +126,7 @@ void describe_nodes(const SectorMesh& mesh, const std::vector<int>& line, const 
   const std::vector<std::vector<int>> neighbours = node_neighbours(mesh);
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     const auto k = first + static_cast<Eigen::Index>(n);
-    const auto at = static_cast<std::size_t>(std::find(line.begin(), line.end(), nodes[n]) - line.begin());
+    const auto at = static_cast<std::size_t>(std::ranges::find(line, nodes[n]) - line.begin());
     const Eigen::Vector3d position = mesh.nodes.col(nodes[n]);
     const Eigen::Vector2d normal = normal_at(mesh, line, lengths, at, neighbours[nodes[n]]);
     described.position.row(k) << position.head<2>().norm(), std::atan2(position.y(), position.x()), position.z();
@@ -191,17 +191,16 @@ Eigen::VectorXd meridional_curvature(const SectorMesh& mesh, const std::vector<i
   for (Eigen::Index k = 0; k < normals.rows(); ++k) {
     const int node = contact[static_cast<std::size_t>(k)];
     const auto& main = mesh.contact_line;
-    const auto& line = std::find(main.begin(), main.end(), node) != main.end() ? main : mesh.splitter_line;
-    const auto at = static_cast<std::size_t>(std::find(line.begin(), line.end(), node) - line.begin());
+    const auto& line = std::ranges::find(main, node) != main.end() ? main : mesh.splitter_line;
+    const auto at = static_cast<std::size_t>(std::ranges::find(line, node) - line.begin());
     curvature[k] = -Eigen::Vector2d(normals(k, 0), normals(k, 2)).dot(bend(mesh, line, at));
   }
   return curvature;
 }
 
 ContactLine describe_contact(const SectorMesh& mesh, const std::vector<int>& contact) {
-  const auto first_of_splitter = std::find_if(contact.begin(), contact.end(), [&](int node) {
-    return std::find(mesh.contact_line.begin(), mesh.contact_line.end(), node) == mesh.contact_line.end();
-  });
+  const auto first_of_splitter = std::ranges::find_if(
+      contact, [&](int node) { return std::ranges::find(mesh.contact_line, node) == mesh.contact_line.end(); });
   const std::vector<int> main(contact.begin(), first_of_splitter), splitter(first_of_splitter, contact.end());
   const auto count = static_cast<Eigen::Index>(contact.size()),
              on_splitter = static_cast<Eigen::Index>(splitter.size());

@@ -138,7 +138,7 @@ class TipIntegrals {
     for (const AddedFunctions::OfFace& function : AddedFunctions::of_face(static_cast<int>(face.size()))) {
       std::vector<int> key;
       for (const int edge : function.edges) key.push_back(face[corners + edge]);
-      std::sort(key.begin(), key.end());
+      std::ranges::sort(key);
       found.push_back({least(function.sides[1]) < least(function.sides[0]) ? -1.0 : 1.0,
                        &added_loads.try_emplace(key, Eigen::VectorXd::Zero(count_)).first->second});
     }

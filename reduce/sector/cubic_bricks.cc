@@ -159,7 +159,7 @@ class CubicBricks {
     for (const FunctionKey* key : added_) {
       const Known& entry = known_.at(*key);
       const auto all = [&](const auto& group) {
-        return std::all_of(entry.nodes.begin(), entry.nodes.end(), [&](int node) { return group.contains(node); });
+        return std::ranges::all_of(entry.nodes, [&](int node) { return group.contains(node); });
       };
       if (all(clamped)) raised_.clamped.push_back(entry.node);
       if (!all(partner_)) continue;
@@ -174,7 +174,7 @@ class CubicBricks {
 
   std::vector<int> turned(std::vector<int> corners) const {
     for (int& corner : corners) corner = partner_.at(corner);
-    std::sort(corners.begin(), corners.end());
+    std::ranges::sort(corners);
     return corners;
   }
 
@@ -245,8 +245,8 @@ Function CubicBricks::function(const Lattice& of, int number) const {
     beside[a] = 1 - beside[a];
     f.key.second.push_back(of.node(beside));
   }
-  std::sort(f.key.first.begin(), f.key.first.end());
-  std::sort(f.key.second.begin(), f.key.second.end());
+  std::ranges::sort(f.key.first);
+  std::ranges::sort(f.key.second);
   return f;
 }
 

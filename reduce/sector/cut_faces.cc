@@ -35,8 +35,7 @@ double angle_between_faces(const SectorMesh& mesh) {
     const Eigen::Vector3d high = mesh.nodes.col(node);
     return std::hypot(radius(high) - radius(low), high.z() - low.z());
   };
-  const int partner = *std::min_element(mesh.cyclic_high.begin(), mesh.cyclic_high.end(),
-                                        [&](int a, int b) { return distance(a) < distance(b); });
+  const int partner = *std::ranges::min_element(mesh.cyclic_high, {}, distance);
   const Eigen::Vector3d high = mesh.nodes.col(partner);
   const double angle = std::atan2(high.y(), high.x()) - std::atan2(low.y(), low.x());
   return angle > 0 ? angle : angle + 2 * std::numbers::pi;
@@ -55,7 +54,7 @@ struct Pairing {
   int sector_count = 0;
   std::vector<int> partners;  ///< of cyclic_low; -1 where there is none
 
-  std::ptrdiff_t alone() const { return std::count(partners.begin(), partners.end(), -1); }
+  std::ptrdiff_t alone() const { return std::ranges::count(partners, -1); }
   bool holds(const SectorMesh& mesh) const {
     return alone() == 0 && mesh.cyclic_low.size() == mesh.cyclic_high.size() && listed_twice(partners) < 0;
   }
@@ -217,7 +216,7 @@ void require_whole_cuts(const SectorMesh& mesh) {
   named.insert(high.begin(), high.end());
   for (const auto& [name, cut] : {std::pair("cyclic_low", &low), std::pair("cyclic_high", &high)}) {
     const std::vector<int> patch = surface_patch(faces, *cut);
-    const auto alone = std::count_if(patch.begin(), patch.end(), [&](int face) { return !named.contains(face); });
+    const auto alone = std::ranges::count_if(patch, [&](int face) { return !named.contains(face); });
     if (alone > 0)
       refuse(mesh, name, " holds ", cut->size(), " of the ", cut->size() + static_cast<std::size_t>(alone),
              " faces of its surface; a cut is all of it: mesh both cuts alike (gmsh: Periodic Surface), and "
@@ -238,7 +237,7 @@ std::set<std::vector<int>> corners_of_faces(const SectorMesh& mesh, const std::v
       std::vector<int> corners;
       for (const int corner : face)
         if (const auto known = lower.find(nodes[corner]); known != lower.end()) corners.push_back(known->second);
-      std::sort(corners.begin(), corners.end());
+      std::ranges::sort(corners);
       if (corners.size() == face.size()) found.insert(corners);
     }
   }

@@ -242,7 +242,7 @@ void FiniteElements::Space::follow_nodes(const DofCell& cell, Scratch& scratch) 
   nodes.clear();
   scratch.followers.clear();
   const auto follow = [&](unsigned int dof, Dof leader, double weight) {
-    const auto at = std::find(nodes.begin(), nodes.end(), node_of_[leader]);
+    const auto at = std::ranges::find(nodes, node_of_[leader]);
     scratch.followers.push_back({dof, at - nodes.begin(), weight});
     if (at == nodes.end()) nodes.push_back(node_of_[leader]);
   };

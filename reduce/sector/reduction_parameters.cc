@@ -114,8 +114,7 @@ ReductionParameters read_reduction_parameters(CaseTable& table, SectorInput inpu
                                        "of omega^2, at quarters of the top speed; what the basis misses joins it");
   if (is_mesh) read_polynomial(table, p);
   p.verification_modes = table.integer("verification_modes", 6, Range::between(1, 100), "a nodal diameter");
-  if (std::adjacent_find(p.verification_speeds.begin(), p.verification_speeds.end(), std::greater_equal<>()) !=
-      p.verification_speeds.end())
+  if (std::ranges::adjacent_find(p.verification_speeds, std::greater_equal<>()) != p.verification_speeds.end())
     table.reject("verification_speeds", "must increase");
   p.verification_tolerance =
       table.number("verification_tolerance", 2e-5, {0.0, 1.0, Range::LowEnd::excluded}, "of omega^2, estimated");

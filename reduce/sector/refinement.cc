@@ -116,7 +116,7 @@ class Refinement {
     for (std::size_t k = 0; k < nodes.size(); ++k)
       if (const long weight = std::lround(unit * weights[static_cast<Eigen::Index>(k)]); weight != 0)
         found.emplace_back(nodes[k], weight);
-    std::sort(found.begin(), found.end());
+    std::ranges::sort(found);
     return found;
   }
 
@@ -185,14 +185,13 @@ class Refinement {
       const Stencil& key = entry.first;
       const int node = entry.second;
       const auto all = [&](const auto& group) {
-        return std::all_of(key.begin(), key.end(),
-                           [&](const auto& followed) { return group.contains(followed.first); });
+        return std::ranges::all_of(key, [&](const auto& followed) { return group.contains(followed.first); });
       };
       if (all(clamped)) fine_.clamped.push_back(node);
       if (!all(partner)) continue;
       Stencil turned = key;
       for (auto& [followed, weight] : turned) followed = partner.at(followed);
-      std::sort(turned.begin(), turned.end());
+      std::ranges::sort(turned);
       const auto high = numbers_.find(turned);
       if (high == numbers_.end())
         refuse(coarse_, "the cells divide cyclic_low and cyclic_high differently near ", place_text(places_[node]),

@@ -80,7 +80,7 @@ std::vector<std::vector<int>> node_neighbours(const SectorMesh& mesh) {
         for (Eigen::SparseMatrix<double>::InnerIterator at(*matrix, column); at; ++at)
           neighbours[column / 3].push_back(static_cast<int>(at.row()) / 3);
   for (auto& list : neighbours) {
-    std::sort(list.begin(), list.end());
+    std::ranges::sort(list);
     list.erase(std::unique(list.begin(), list.end()), list.end());
   }
   return neighbours;
@@ -94,7 +94,7 @@ std::vector<std::vector<int>> lower_neighbours(const SectorMesh& mesh, const Sec
     std::vector<int>& rows = lower[dofs.first[node] / 3];
     for (const int other : neighbours[node])
       if (dofs.first[other] >= dofs.first[node]) rows.push_back(dofs.first[other] / 3);
-    std::sort(rows.begin(), rows.end());
+    std::ranges::sort(rows);
   }
   return lower;
 }

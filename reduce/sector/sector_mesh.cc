@@ -68,7 +68,7 @@ std::string SectorMesh::place_of(int node) const {
 std::string SectorMesh::name_of_cell(int cell) const {
   std::string name = "cell " + std::to_string(cell_tags.empty() ? static_cast<std::size_t>(cell) : cell_tags[cell]);
   for (const auto& [part, members] : parts)
-    if (std::find(members.begin(), members.end(), cell) != members.end()) name += " (" + part + ")";
+    if (std::ranges::find(members, cell) != members.end()) name += " (" + part + ")";
   return name;
 }
 

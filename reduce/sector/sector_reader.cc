@@ -31,13 +31,13 @@ class NodeNumbers {
  public:
   explicit NodeNumbers(const CellTags& cells) {
     for (const std::vector<std::size_t>& cell : cells) tags_.insert(tags_.end(), cell.begin(), cell.end());
-    std::sort(tags_.begin(), tags_.end());
+    std::ranges::sort(tags_);
     tags_.erase(std::unique(tags_.begin(), tags_.end()), tags_.end());
   }
   std::size_t count() const { return tags_.size(); }
   std::size_t tag(int node) const { return tags_[node]; }
   int find(std::size_t tag) const {
-    const auto at = std::lower_bound(tags_.begin(), tags_.end(), tag);
+    const auto at = std::ranges::lower_bound(tags_, tag);
     return at != tags_.end() && *at == tag ? static_cast<int>(at - tags_.begin()) : -1;
   }
 
@@ -50,9 +50,7 @@ const CellKind& kind_of(const GmshElements& elements, const std::string& mesh) {
   for (const CellKind& kind : all_cell_kinds())
     if (kind.gmsh_type == elements.type) return kind;
   constexpr std::array<int, 4> linear = {4, 5, 6, 7}, complete = {13, 14};
-  const auto is_in = [&](const auto& types) {
-    return std::find(types.begin(), types.end(), elements.type) != types.end();
-  };
+  const auto is_in = [&](const auto& types) { return std::ranges::find(types, elements.type) != types.end(); };
   const std::string what = is_in(linear)
                                ? "; its cells have corners only: make them quadratic, by gmsh FILE -order 2 -save "
                                  "-o sector.msh, or Mesh.ElementOrder = 2"
@@ -89,7 +87,7 @@ CellTags read_cells(const GmshFile& file, SectorMesh& mesh) {
 /// The cells of each part of the sector that has a name. A part whose cells are none of the sector's stays empty.
 std::map<std::string, std::vector<int>> read_parts(const GmshFile& file, const CellTags& cells) {
   const auto sorted = [](std::vector<std::size_t> nodes) {
-    std::sort(nodes.begin(), nodes.end());
+    std::ranges::sort(nodes);
     return nodes;
   };
   std::map<std::vector<std::size_t>, int> cell_of;
@@ -148,7 +146,7 @@ std::vector<int> read_surface(const GmshFile& file, const std::string& name, con
   std::vector<int> nodes;
   for (const GmshElements& elements : file.group(2, name))
     for (const std::size_t tag : elements.nodes) nodes.push_back(numbers.find(tag));
-  std::sort(nodes.begin(), nodes.end());
+  std::ranges::sort(nodes);
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   if (nodes.empty()) throw InputError(mesh + ": has no surface group \"" + name + "\"; name it in the mesher");
   if (nodes.front() < 0) throw InputError(mesh + ": surface group \"" + name + "\" has nodes that belong to no cell");
@@ -187,8 +185,7 @@ Eigen::MatrixXi read_tip(const GmshFile& file, const std::string& name, const No
   std::vector<std::vector<int>> tip;
   int most = 0;
   for (const GmshElements& elements : file.group(2, name)) {
-    const auto known =
-        std::find_if(faces.begin(), faces.end(), [&](const auto& face) { return face[0] == elements.type; });
+    const auto known = std::ranges::find_if(faces, [&](const auto& face) { return face[0] == elements.type; });
     if (known == faces.end()) return {};
     const int width = (*known)[1];
     most = std::max(most, width);
@@ -196,7 +193,7 @@ Eigen::MatrixXi read_tip(const GmshFile& file, const std::string& name, const No
       tip.emplace_back();
       std::transform(at, at + width, std::back_inserter(tip.back()),
                      [&](std::size_t tag) { return numbers.find(tag); });
-      if (std::count(tip.back().begin(), tip.back().end(), -1) > 0) return {};
+      if (std::ranges::count(tip.back(), -1) > 0) return {};
     }
   }
   Eigen::MatrixXi table = Eigen::MatrixXi::Constant(most, static_cast<Eigen::Index>(tip.size()), -1);
@@ -245,8 +242,8 @@ std::vector<int> read_line(const GmshFile& file, const std::string& name, const 
 std::vector<int> read_splitter_line(const GmshFile& file, const NodeNumbers& numbers, const SectorMesh& mesh) {
   const std::string name = "contact_splitter";
   std::vector<int> nodes = read_line(file, name, numbers, mesh);
-  const bool named = std::any_of(file.elements.begin(), file.elements.end(),
-                                 [&](const GmshElements& elements) { return elements.group == name; });
+  const bool named =
+      std::ranges::any_of(file.elements, [&](const GmshElements& elements) { return elements.group == name; });
   if (named && nodes.empty())
     refuse(mesh, "\"", name,
            "\" names neither a curve nor points; name the line along the splitter's tip so, from leading "

@@ -224,11 +224,11 @@ void ContactImpulses::settle_least_index(double tolerance) {
     solve_closed();
     int wrong = -1;
     for (int i = 0; i < static_cast<int>(free_gap_.size()) && wrong < 0; ++i) {
-      const bool is_closed = std::binary_search(closed_.begin(), closed_.end(), i);
+      const bool is_closed = std::ranges::binary_search(closed_, i);
       if (is_closed ? multipliers_[i] < 0 : free_gap_[i] + correction_[i] < -tolerance) wrong = i;
     }
     if (wrong < 0) return;
-    const auto place = std::lower_bound(closed_.begin(), closed_.end(), wrong);
+    const auto place = std::ranges::lower_bound(closed_, wrong);
     if (place != closed_.end() && *place == wrong)
       closed_.erase(place);
     else

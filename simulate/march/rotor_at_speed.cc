@@ -127,7 +127,7 @@ RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::
   double omega_min = std::numeric_limits<double>::infinity();
   Eigen::VectorXd tip_compliance = Eigen::VectorXd::Zero(model.contact.size());
   for (int n = 0; n <= model.nodal_diameter_max(); ++n) {  // eq. 12: block by block
-    const bool asked = std::find(nodal_diameters.begin(), nodal_diameters.end(), n) != nodal_diameters.end();
+    const bool asked = std::ranges::find(nodal_diameters, n) != nodal_diameters.end();
     if (!asked && others == OtherDiameters::unknown) continue;
     const WaveKind kind = wave_kind(n, model.sector_count);
     const Spectrum spectrum = solve(model, n, speed);

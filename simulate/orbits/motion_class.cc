@@ -71,7 +71,7 @@ double share_beside(const Eigen::VectorXd& lines, double spacing, double width) 
 /// Share of the lines off the beat that is needed for most of the energy off the beat.
 double lines_for_most(const Eigen::VectorXd& lines, double spacing, double width) {
   std::vector<double> beside = lines_beside(lines, spacing, width);
-  std::sort(beside.begin(), beside.end(), std::greater<>());
+  std::ranges::sort(beside, std::greater<>());
   const double wanted = ClassLimits::most_energy * std::accumulate(beside.begin(), beside.end(), 0.0);
   double sum = 0;
   std::size_t count = 0;

@@ -299,7 +299,7 @@ Eigen::VectorXd TangentMarch::in_free_flight(const Eigen::VectorXd& change) {
 MarchedMap::MarchedMap(TimeMarch& march, int power)
     : march_(march), map_(march, power), tangent_(march, Disturbance::symmetric, power) {
   const auto has_mass = [](const WaveModes& wave) { return wave.moving == wave.omega.size(); };
-  all_have_mass_ = std::all_of(march.rotor().waves.begin(), march.rotor().waves.end(), has_mass);
+  all_have_mass_ = std::ranges::all_of(march.rotor().waves, has_mass);
 }
 
 void MarchedMap::put(const Eigen::VectorXd& state) {

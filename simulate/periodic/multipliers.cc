@@ -213,7 +213,7 @@ Multiplier of_krylov(const LinearMap& map, Eigen::Index size, const MultiplierGo
     const Eigen::MatrixXd small = projected(solver);
     const std::complex<double> now = largest_eigenvalue(small);
     changes = {changes[1], changes[2], std::abs(std::abs(now) - std::abs(largest.value))};
-    largest = {now, *std::max_element(changes.begin(), changes.end())};
+    largest = {now, *std::ranges::max_element(changes)};
     const bool is_whole = look == vectors || small.rows() < look;
     if (is_whole || (look >= fewest_vectors && is_exact_enough(largest, goal))) return largest;
   }

@@ -36,7 +36,7 @@ void require(bool holds, const Hdf5File& file, const std::string& must) {
 
 template <class Values>
 bool increases(const Values& values) {
-  return std::adjacent_find(values.begin(), values.end(), std::greater_equal<>()) == values.end();
+  return std::ranges::adjacent_find(values, std::greater_equal<>()) == values.end();
 }
 
 /// Reads an optional attribute of the file.

@@ -39,7 +39,7 @@ void read_distortion_table(CaseTable& table, Casing& casing) {
   const auto nearer = [&](const auto& one, const auto& next) {
     return next[0] - one[0] <= PeriodicTable::closest * period;
   };
-  if (const auto near = std::adjacent_find(points.begin(), points.end(), nearer); near != points.end())
+  if (const auto near = std::ranges::adjacent_find(points, nearer); near != points.end())
     table.reject("distortion_table", "must have its angles more than 1e-9 of 360/lobes deg apart",
                  near - points.begin() + 1);
   if (points.size() > 1) require_degrees(table, casing, points);
@@ -102,12 +102,12 @@ void read_friction(CaseTable& table, Casing& casing) {
 void read_blade_clearance(CaseTable& table, Casing& casing) {
   if (!table.has("blade_clearance")) return;
   casing.blade_clearance = table.numbers("blade_clearance", std::nullopt, Range::any(), "m more, blade by blade");
-  const auto closest = std::min_element(casing.blade_clearance.begin(), casing.blade_clearance.end());
+  const auto closest = std::ranges::min_element(casing.blade_clearance);
   const std::size_t row = closest - casing.blade_clearance.begin();
   const double least = *closest;
   for (double& more : casing.blade_clearance) more -= least;
   for (std::array<double, 2>& point : casing.clearance) point[1] += least;
-  if (std::any_of(casing.clearance.begin(), casing.clearance.end(), [](const auto& point) { return point[1] < 0; }))
+  if (std::ranges::any_of(casing.clearance, [](const auto& point) { return point[1] < 0; }))
     table.reject("blade_clearance", "takes more from `clearance` than there is", row);
 }
 
@@ -147,7 +147,7 @@ Eigen::VectorXd Casing::friction_at(const ContactLine& contact) const {
 }
 
 bool Casing::has_friction() const {
-  return std::any_of(friction.begin(), friction.end(), [](const auto& point) { return point[1] > 0; });
+  return std::ranges::any_of(friction, [](const auto& point) { return point[1] > 0; });
 }
 
 std::string Casing::friction_text() const {

@@ -66,7 +66,7 @@ CasingProfile::CasingProfile(std::vector<double> stations,
 }
 
 double CasingProfile::operator()(double angle, double fraction) const {
-  const auto above = std::upper_bound(stations_.begin(), stations_.end(), fraction);
+  const auto above = std::ranges::upper_bound(stations_, fraction);
   const auto next = static_cast<std::size_t>(above - stations_.begin());
   if (next == 0) return curves_.front()(angle);
   if (next == stations_.size()) return curves_.back()(angle);

@@ -28,8 +28,8 @@ std::vector<double> read_speeds(CaseTable& table) {
   std::vector<double> speeds;
   if (table.has("speeds_rpm")) {
     speeds = table.numbers("speeds_rpm", std::nullopt, Range::positive(), "rev/min");
-    std::sort(speeds.begin(), speeds.end());
-    if (std::adjacent_find(speeds.begin(), speeds.end()) != speeds.end())
+    std::ranges::sort(speeds);
+    if (std::ranges::adjacent_find(speeds) != speeds.end())
       table.reject("speeds_rpm", "names a speed twice; drop one");
     for (const char* key : {"speed_min_rpm", "speed_max_rpm", "speed_count"})
       if (table.has(key))

@@ -94,7 +94,7 @@ void refine_jumps(const SampledCurve& curve, const LocationGoal& goal, std::set<
 
 /// Whether a speed of `full` between two speeds of the scan already shows a clear valley.
 bool falls_between(const SampledCurve& full, double from, double to, double height) {
-  return std::any_of(full.begin(), full.end(), [&](const SampledSpeed& at) {
+  return std::ranges::any_of(full, [&](const SampledSpeed& at) {
     return at.speed >= std::min(from, to) && at.speed <= std::max(from, to) && at.amplitude < clear_valley * height;
   });
 }

@@ -44,7 +44,7 @@ ModelledEffect blade_clearance(const Casing& casing) {
   if (casing.blade_clearance.empty())
     return {Effect::blade_clearance, Treatment::left_out, "all blades have the same clearance"};
   return {Effect::blade_clearance, Treatment::modelled, "each blade has its own clearance",
-          *std::max_element(casing.blade_clearance.begin(), casing.blade_clearance.end())};
+          *std::ranges::max_element(casing.blade_clearance)};
 }
 
 ModelledEffect nodal_diameters(const Scene& scene) {

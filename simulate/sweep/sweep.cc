@@ -246,7 +246,7 @@ void Sweep::examine() {
   if (group_.leads()) {
     const SampledCurve full = curve(full_);
     for (const std::size_t place : located_peaks(full, goal())) peaks.push_back(full[place].speed);
-    std::stable_sort(peaks.begin(), peaks.end(), [&](double a, double b) { return full_.at(a) > full_.at(b); });
+    std::ranges::stable_sort(peaks, [&](double a, double b) { return full_.at(a) > full_.at(b); });
   }
   group_.share(peaks);
   const BudgetChoice budget = scene_.parameters.budget;
@@ -353,7 +353,7 @@ void Sweep::compute_together(const std::vector<SpeedTask>& missing, const Done& 
 /// starts the next one, so that an interrupted sweep continues with equal bits.
 void Sweep::carry(const std::vector<SpeedTask>& tasks, const std::function<void(const SpeedResponse&)>& done) {
   std::vector<SpeedTask> way = tasks;
-  if (scene_.parameters.sweep == SweepDirection::down) std::reverse(way.begin(), way.end());
+  if (scene_.parameters.sweep == SweepDirection::down) std::ranges::reverse(way);
   const auto has = [&](const SpeedTask& task) { return finished_->has(task.speed, task.depth); };
   RotorState state;
   for (std::size_t i = 0; i < way.size(); ++i) {

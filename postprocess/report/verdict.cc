@@ -277,8 +277,8 @@ std::string trust(const Study& study, const FieldResults& fields, const std::vec
   for (const TrustLine& line : lines) text += "\n" + line.text + ".";
   for (const auto& [verdict, words] : {std::pair(CheckVerdict::undecided, "Undecided: "),
                                        std::pair(CheckVerdict::not_looked_at, "Not looked at: ")}) {
-    const std::string subjects = listed(exactness_checks(study), ", ", [&](const Check& check) {
-      return check.verdict == verdict ? check.subject : "";
+    const std::string subjects = listed(exactness_checks(study), ", ", [of = verdict](const Check& check) {
+      return check.verdict == of ? check.subject : "";
     });
     if (!subjects.empty()) text += "\n" + std::string(words) + subjects + ".";
   }
